@@ -31,7 +31,7 @@ import type { BookInput } from "./sources/open.ts";
 import type { PageList } from "./sources/page_list.ts";
 import { BookError, type NewIndex, type Typography } from "./sources/page_source.ts";
 import type { Viewer, ViewerOptions, Zoom } from "./viewer/viewer.ts";
-import { elementTexts, fill, languageOf } from "./words/languages.ts";
+import { elementTexts, fill, languageOf, percent } from "./words/languages.ts";
 
 /** Duration of a zoom by command, seconds. */
 const zoomSeconds = 0.25;
@@ -66,6 +66,7 @@ export class TurnleafBook extends ReaderElement {
     },
     options: (source) => this.#options(source),
     turn: (by) => void this.press(by),
+    announceZoom: () => this.announceZoom(),
     calm: () => this.#calm,
     goTo: (page, top) => void this.turnTo(page, { top }),
     typography: () => this.#takeTypography(),
@@ -466,6 +467,24 @@ export class TurnleafBook extends ReaderElement {
     const at = this.#tree.plane.fromClient(clientX, clientY);
     const { offsetLeft, offsetTop } = this.#tree.stage;
     return at && new DOMPoint(at.x + offsetLeft, at.y + offsetTop);
+  }
+
+  /**
+   * Announces a text to screen readers.
+   *
+   * @internal
+   */
+  announce(text: string): void {
+    this.#tree.announce(text);
+  }
+
+  /**
+   * Announces the zoom level to screen readers.
+   *
+   * @internal
+   */
+  announceZoom(): void {
+    this.announce(percent(languageOf(this), this.zoom));
   }
 
   /** Focuses the book, also from one of its controls: keys then turn its pages. */

@@ -226,9 +226,13 @@ test("keys turn, zoom and search; those of a field and of the browser are left a
     "turnTo Infinity",
     "turnTo 1",
     "zoom 1.5",
+    "announce zoom 1.5",
     "zoom 1",
+    "announce zoom 1",
     "zoom 1",
+    "announce zoom 1",
     "fullscreen",
+    "announce Bookmarks: i",
   ]);
   expect([book.bookmarks, book.shifts]).toEqual([[1], [1]]);
   book.asked.length = 0;
@@ -236,6 +240,9 @@ test("keys turn, zoom and search; those of a field and of the browser are left a
   book.dispatchEvent(find);
   expect(find.defaultPrevented).toBe(false);
   expect(book.asked).toEqual([]);
+  await userEvent.keyboard("b");
+  expect(book.asked).toEqual(["announce No page is bookmarked yet."]);
+  book.asked.length = 0;
   await userEvent.keyboard("/");
   expect(active(root)).toBe("Find in this book");
   await userEvent.keyboard("f+ b0");

@@ -8,6 +8,7 @@ export interface KeyCommands {
   /** Closes what is open. Returns whether something was. */
   escape(): boolean;
   zoom(by: 1 | 0 | -1): void;
+  bookmark(): void;
 }
 
 /**
@@ -45,7 +46,7 @@ function handle(event: KeyboardEvent, book: ControlledBook, commands: KeyCommand
     "-": () => commands.zoom(-1),
     "0": () => commands.zoom(0),
     f: () => book.toggleFullscreen(),
-    b: () => book.toggleBookmark(),
+    b: () => commands.bookmark(),
     o: () => book.shownLayout === "spread" && book.toggleShift(),
     "/": () => commands.search(),
   };

@@ -43,6 +43,8 @@ export interface LifecycleHooks {
   options(source: PageList): ViewerOptions;
   /** Turns one leaf forward (1) or back (-1), with motion or without, as the reader prefers. */
   readonly turn: (by: 1 | -1) => void;
+  /** Announces to screen readers the zoom level to which a key leads. */
+  readonly announceZoom: () => void;
   /** Turns the open book to a page (from 1), and to a place so far down it, as `top` of `LinkTarget`. */
   readonly goTo: (page: number, top?: number) => void;
   /** The open book is about to close, to be opened again where it lies. */
@@ -451,7 +453,7 @@ export class OpenBook {
     { canvas, source, viewer, elements, roll }: OpenBookParts,
     hooks: LifecycleHooks,
   ) {
-    const { turn, calm, goTo, missingPart, plane } = hooks;
+    const { turn, announceZoom, calm, goTo, missingPart, plane } = hooks;
     this.#renumbered = (moved, pageCount) => hooks.renumbered(moved, pageCount);
     this.source = source;
     this.viewer = viewer;
@@ -462,7 +464,7 @@ export class OpenBook {
     const allows = (gesture: Gesture): boolean => allowsGesture(element, gesture);
     const swipeDistance = (): number => swipeDistanceOf(element);
     this.#input = new Input(canvas, stage, element, {
-      ...{ viewer, plane, turn, calm, allows, swipeDistance },
+      ...{ viewer, plane, turn, announceZoom, calm, allows, swipeDistance },
     });
     const language = (): string => languageOf(element);
     this.reading = new ReadableBook({ source, viewer, canvas, roll, goTo, language }, missingPart);

@@ -5,6 +5,7 @@ import { ElementPlane } from "../element_plane.ts";
 import type { PageSource } from "../sources/page_source.ts";
 import type { Viewer } from "../viewer/viewer.ts";
 import { elementTexts, fill, list, number } from "../words/languages.ts";
+import { keepFocus } from "./focus_keeper.ts";
 
 /**
  * The parts of one element's shadow tree.
@@ -53,6 +54,7 @@ export class ShadowTree {
       });
       element.attachInternals().role = "group";
       root.append(this.#sizer, this.frame);
+      keepFocus(root, () => this.frame.focus({ preventScroll: true }));
     }
     if (root.adoptedStyleSheets.length === 0) addStyle(root, style);
   }

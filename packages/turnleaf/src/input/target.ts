@@ -13,6 +13,8 @@ export interface InputTarget {
   readonly plane: ElementPlane;
   /** Turns one leaf forward (1) or back (-1), with motion or without, as the reader prefers. */
   readonly turn: (by: 1 | -1) => void;
+  /** Announces to screen readers the zoom level to which a key leads. */
+  readonly announceZoom: () => void;
   /** Returns whether the reader prefers reduced motion. */
   readonly calm: () => boolean;
   /** Returns whether a gesture acts on the book. */

@@ -124,6 +124,88 @@ test("a link of the book turns it", async () => {
   expect(element.page).toBe(6);
 });
 
+test("a link is named by the whole words that are printed under it", async () => {
+  const loaded = happens(element, "load");
+  const text = line("Ill illicit WWW MMM", 100) + line("and more", 60);
+  const links = ["[40 95 88 115]", "[20 50 196 115]"].map(
+    (box) => `<< /Type /Annot /Subtype /Link /Rect ${box} /Dest [6 /Fit] >>`,
+  );
+  const bytes = tinyPdf({
+    pages: Array.from({ length: 8 }, () => text),
+    resources: `${fonts} >> /Annots [10 0 R 11 0 R] /Ignored <<`,
+    objects: links,
+  });
+  element.pages = new File([bytes], "whale.pdf");
+  await loaded;
+  const names = (): (string | null)[] =>
+    [...root().querySelectorAll(".text a")].slice(0, 2).map((a) => a.getAttribute("aria-label"));
+  await eventually(names).toEqual(["illicit", "Ill illicit WWW MMM and more"]);
+});
+
+test("a page that turns under a focused link gives the focus to the book, whose keys go on", async () => {
+  const anchor = root().querySelector("a") as HTMLAnchorElement;
+  anchor.focus();
+  await userEvent.keyboard("{ArrowRight}");
+  await eventually(() => element.page).toBe(4);
+  expect(document.activeElement).toBe(element);
+  expect(root().activeElement).toBe(root().querySelector(".frame"));
+  await userEvent.keyboard("{ArrowRight}");
+  await eventually(() => element.page).toBe(6);
+  // What else has taken the focus keeps it.
+  await element.goTo(2);
+  await eventually(() => root().querySelector("a")).not.toBeNull();
+  root().querySelector("a")?.focus();
+  const button = document.createElement("button");
+  document.body.append(button);
+  void element.next();
+  button.focus();
+  await settled(element);
+  expect(document.activeElement).toBe(button);
+  button.remove();
+});
+
+test("a zoom by key is announced", async () => {
+  element.lang = "en";
+  element.focus();
+  await userEvent.keyboard("+");
+  const said = root().querySelector(".live") as HTMLElement;
+  expect(said.textContent).toBe("150%");
+  await userEvent.keyboard("0");
+  expect(said.textContent).toBe("100%");
+});
+
+test("a theme of high contrast prints nothing over the page", async () => {
+  const media = (value: string) =>
+    toolSession().send("Emulation.setEmulatedMedia", {
+      features: [{ name: "forced-colors", value }],
+    });
+  element.setAttribute("controls", "");
+  const [span] = spans();
+  const range = document.createRange();
+  range.selectNodeContents(span);
+  getSelection()?.addRange(range);
+  await element.showHit((await element.search("Ishmael"))[0] ?? null);
+  await settled(element);
+  await eventually(() => root().querySelector(".mark")).not.toBeNull();
+  const colours = (): readonly string[] => {
+    const of = (at: Element, part?: string): CSSStyleDeclaration => getComputedStyle(at, part);
+    const mark = root().querySelector(".mark") as Element;
+    return [
+      of(spans()[0]).color,
+      of(spans()[0], "::selection").color,
+      of(spans()[0], "::selection").backgroundColor,
+      of(mark).backgroundColor,
+    ];
+  };
+  const before = colours();
+  await media("active");
+  expect(matchMedia("(forced-colors: active)").matches).toBe(true);
+  const active = colours();
+  await media("none");
+  expect(active).toEqual(before);
+  expect(before[0]).toBe("rgba(0, 0, 0, 0)");
+});
+
 test("the tree of accessibility has the pages in order, each with its text, and no picture", async () => {
   const canvas = root().querySelector("canvas") as HTMLCanvasElement;
   expect(canvas.ariaHidden).toBe("true");
