@@ -76,6 +76,7 @@ export class TurnleafBook extends ReaderElement {
     leaving: () => this.#leave(),
     opened: (book) => this.#opened(book),
     changing: (change) => void this.#followSource(change),
+    measured: () => this.#laidOut(),
     renumbered: (moved, pageCount) => this.moveLists(moved.placeOf ?? moved, pageCount),
     missingPart: (error) => this.#reportMissingPart(error),
     failed: (error) => this.#fail(error),

@@ -61,6 +61,8 @@ export interface LifecycleHooks {
   opened(book: OpenBook): void;
   /** The open book's source is about to change its pages, by calling `change`. */
   changing(change: () => NewIndex): void;
+  /** The leaves of the open book have the size of its pages, which had to be guessed until now. */
+  measured(): void;
   /** The pages of the open book, so many before, lie elsewhere: it is about to be bound anew. */
   renumbered(moved: NewIndex, pageCount: number): void;
   /** An optional part of the viewer could not be loaded. */
@@ -281,6 +283,11 @@ export class BookLifecycle {
       const book = this.#book;
       if (book?.source === source) this.#hooks.changing(change);
     });
+    source.watchSizes(() => {
+      const book = this.#book;
+      if (book?.source !== source) return;
+      book.measure().then(() => this.#hooks.measured(), this.#hooks.missingPart);
+    });
     source.watchDrawings((index) => {
       if (this.#book?.source !== source) return;
       this.#book.viewer.redraw(index + 1);
@@ -491,6 +498,16 @@ export class OpenBook {
     });
     if (isMade) this.reading.changed();
     return isMade;
+  }
+
+  /** Gives the leaves the size of their pages, which had to be guessed until now. */
+  async measure(): Promise<void> {
+    const { signal } = this.#ended;
+    try {
+      await this.changePages(await this.viewer.measure(signal));
+    } catch (error) {
+      if (!signal.aborted) throw error;
+    }
   }
 
   /**

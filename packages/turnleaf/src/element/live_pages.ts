@@ -247,6 +247,9 @@ const style: string = /* css */ `
 .elements > div {
   position: absolute; left: 0; top: 0; width: max-content; transform-origin: 0 0; opacity: 0;
 }
+/* A box's outline has its page's colour, which a theme of high contrast has given the page. */
+.elements > div { forced-color-adjust: none; }
+.elements slot { forced-color-adjust: auto; }
 .elements.seen > :not([inert]) { opacity: 1; pointer-events: auto; }
 ::slotted(*) {
   display: block; box-sizing: border-box; position: relative !important; inset: auto !important;

@@ -17,15 +17,15 @@ afterEach(() => {
 });
 
 /** The style of an element around the book, and the book's own. */
-const transformations: readonly (readonly [name: string, around: string, own?: string])[] = [
-  ["larger", "transform: scale(1.5)"],
-  ["smaller", "transform: scale(0.6)"],
-  ["zoomed", "zoom: 1.4"],
-  ["turned", "transform: rotate(20deg)"],
-  ["on its side", "rotate: 90deg"],
+const transformations: readonly (readonly [name: string, around: string, own: string])[] = [
+  ["larger", "transform: scale(1.5)", ""],
+  ["smaller", "transform: scale(0.6)", ""],
+  ["zoomed", "zoom: 1.4", ""],
+  ["turned", "transform: rotate(20deg)", ""],
+  ["on its side", "rotate: 90deg", ""],
   ["upside down", "", "transform: rotate(180deg)"],
-  ["skewed", "transform: skew(20deg, 8deg)"],
-  ["mirrored", "scale: -1 1"],
+  ["skewed", "transform: skew(20deg, 8deg)", ""],
+  ["mirrored", "scale: -1 1", ""],
   ["in perspective", "perspective: 600px", "transform: rotateY(35deg) rotateX(15deg)"],
   ["in all of them", "zoom: 0.8; transform: rotate(-12deg) skewX(9deg)", "scale: 1.3 1.1"],
 ];
@@ -52,7 +52,7 @@ class PlacedBook {
   readonly #around = document.createElement("div");
   readonly #probe = document.createElement("div");
 
-  constructor(around: string, own: string) {
+  constructor(around: string, own = "") {
     const place = "position: absolute; left: 0; top: 0; width: 300px; height: 220px";
     this.#around.style.cssText = `position: fixed; left: 200px; top: 150px; width: 300px; height: 220px; ${around}`;
     this.element.style.cssText = `${place}; ${own}`;
@@ -176,8 +176,8 @@ async function used(placed: PlacedBook): Promise<Record<string, unknown>> {
 
 let upright: Promise<Record<string, unknown>> | null = null;
 
-test.each(transformations)("%s", async (_, around, own = "") => {
-  upright ??= used(new PlacedBook("", ""));
+test.each(transformations)("%s", async (_, around, own) => {
+  upright ??= used(new PlacedBook(""));
   const expected = await upright;
   expect(expected).toMatchObject({ selected: "Call me", typed: "Ahab", clicked: 4, dragged: 4 });
   expect(expected.point).toEqual([33, 77]);
@@ -196,7 +196,7 @@ test("a finger scrolls the page along the book's spine, whichever way that goes,
     ["rotate: 180deg", "pan-y", [60, 0]],
     ["scale: -1 1", "pan-y", [60, 0]],
   ] as const) {
-    const placed = new PlacedBook(around, "");
+    const placed = new PlacedBook(around);
     await placed.open(scans(12));
     const { element } = placed;
     const pointer = new TestPointer(element);
@@ -215,7 +215,7 @@ test("a finger scrolls the page along the book's spine, whichever way that goes,
 });
 
 test("a swipe of a trackpad moves a mirrored book's pages as fingers do, and a wheel reads on", async () => {
-  const placed = new PlacedBook("scale: -1 1", "");
+  const placed = new PlacedBook("scale: -1 1");
   await placed.open(scans(12));
   const { element } = placed;
   const pointer = new TestPointer(element);

@@ -58,6 +58,8 @@ export class Viewer {
   readonly sheets: SheetCommands;
   readonly #options: ViewerOptions;
   readonly #stage: BookStage;
+  readonly #source: PageSource;
+  readonly #book: Bindable;
   readonly #camera: CameraMotion;
   readonly #bitmaps: PageBitmaps;
   readonly #crossFade: CrossFade;
@@ -97,6 +99,8 @@ export class Viewer {
     this.#options = options;
     this.#window = canvas.ownerDocument.defaultView ?? window;
     this.#stage = stage;
+    this.#source = source;
+    this.#book = book;
     this.#frameQuality = new FrameQuality(stage.isSoftware);
     this.#stage.onRestored = () => this.invalidate();
     this.#stage.onContextLost = () => options.onContextLost?.();
@@ -115,9 +119,8 @@ export class Viewer {
     });
     const arrived = (): void => this.invalidate();
     const failed = (error: unknown): void => options.onMissingPart?.(error);
-    const { aspect } = book;
     const pictures = this.#bitmaps;
-    this.#sharpness = new Sharpness({ source, stage, aspect, pictures, arrived, failed });
+    this.#sharpness = new Sharpness({ source, stage, book, pictures, arrived, failed });
     this.#foldOut = new FoldOut(this.#bitmaps, {
       unfolds: stage.unfolds,
       width: () => this.#pictureWidth,
@@ -268,6 +271,20 @@ export class Viewer {
     const changed = this.#rebinder.change(change);
     this.#bindSoon();
     return changed;
+  }
+
+  /**
+   * Measures the pages, whose source knows only now how large they are. Resolves to a change for
+   * `changePages`, which gives the leaves that size. Rejects with a `BookError` if no page's size can
+   * be read, or with the signal's reason.
+   */
+  async measure(signal: AbortSignal): Promise<() => NewIndex> {
+    const leaf = await leafSize(this.#source, signal);
+    return () => {
+      Object.assign(this.#book, { leaf, aspect: leaf.width / leaf.height });
+      this.#bitmaps.measure(leaf);
+      return (index) => index;
+    };
   }
 
   /** Fits the book to the size of the canvas in CSS pixels. */
