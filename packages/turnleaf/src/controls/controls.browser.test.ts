@@ -250,6 +250,25 @@ test("keys turn, zoom and search; those of a field and of the browser are left a
   expect(book.asked).toEqual([]);
 });
 
+test("in a dialog of the web page's own, keys are the book's, and Escape closes the panel first", async () => {
+  const { book, root } = addFakeBook();
+  const dialog = document.createElement("dialog");
+  document.body.append(dialog);
+  dialog.append(book);
+  dialog.showModal();
+  book.focus();
+  await userEvent.keyboard(" +b");
+  expect(book.asked.filter((asked) => !asked.startsWith("announce"))).toEqual(["next", "zoom 1.5"]);
+  expect(book.bookmarks).toEqual([6]);
+  await userEvent.keyboard("/");
+  expect(active(root)).toBe("Find in this book");
+  await userEvent.keyboard("{Escape}");
+  expect([root.querySelector<HTMLElement>(".panel")?.hidden, dialog.open]).toEqual([true, true]);
+  await userEvent.keyboard("{Escape}");
+  expect(dialog.open).toBe(false);
+  dialog.remove();
+});
+
 test("a search lists its places with what stands about them, and counts them", async () => {
   const hits = Array.from({ length: 450 }, (_, i) => ({
     page: (i % 30) + 1,

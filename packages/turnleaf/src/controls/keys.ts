@@ -25,7 +25,10 @@ export function listenToKeys(
 }
 
 function handle(event: KeyboardEvent, book: ControlledBook, commands: KeyCommands): void {
-  const isDialogs = event.composedPath().some((at) => at instanceof HTMLDialogElement);
+  // A dialog around the book is the web page's own: the book is read there as anywhere.
+  const path = event.composedPath();
+  const inside = path.slice(0, path.indexOf(book));
+  const isDialogs = inside.some((at) => at instanceof HTMLDialogElement);
   if (event.defaultPrevented || event.altKey || isDialogs) return;
   if (event.ctrlKey || event.metaKey) {
     const undoes = event.key === "z" && !event.shiftKey && book.tornLeaves > 0;

@@ -10,7 +10,12 @@ test("a link to a note shows it over the page, by the keyboard too, and Escape c
     "<p>Between.</p>",
     '<aside id="n" epub:type="footnote">Said of it.</aside>',
   ];
+  // In a dialog of the web page's own, which Escape closes only where nothing of the book is open.
+  const dialog = document.createElement("dialog");
+  document.body.append(dialog);
+  dialog.showModal();
   const element = book(tinyEpub({ chapters }), { duration: "0" });
+  dialog.append(element);
   // Once every chapter is set, the links are made anew.
   await Promise.all([happens(element, "load"), happens(element, "pageschange")]);
   const root = element.shadowRoot as ShadowRoot;
@@ -29,13 +34,14 @@ test("a link to a note shows it over the page, by the keyboard too, and Escape c
   await userEvent.keyboard("{Escape}");
   await eventually(isOpen).toBe(false);
   expect(root.activeElement).toBe(link());
+  expect(dialog.open).toBe(true);
   // Its button turns to where it is printed.
   link()?.click();
   await eventually(isOpen).toBe(true);
   note.querySelector("button")?.click();
   expect(isOpen()).toBe(false);
   await eventually(() => element.page).toBeGreaterThan(1);
-  element.remove();
+  dialog.remove();
 });
 
 test("a link out of an EPUB is followed only after its address was shown", async () => {

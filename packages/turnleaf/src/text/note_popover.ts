@@ -28,6 +28,8 @@ export class NotePopover {
       // The keys of the book are not those of the note.
       event.stopPropagation();
       if (event.key !== "Escape") return;
+      // It closes the note alone, and no dialog around the book.
+      event.preventDefault();
       this.hide();
       this.#link?.focus();
     });
