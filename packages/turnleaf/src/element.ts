@@ -2,7 +2,15 @@
 
 import type { PagePlace } from "./book/page_folds.ts";
 import type { Paper } from "./book/paper.ts";
-import { directionOf, forward, leftPage, pageOf, rightPage, spreadOf } from "./book/spreads.ts";
+import {
+  directionOf,
+  forward,
+  leftPage,
+  pageOf,
+  pagesAt,
+  rightPage,
+  spreadOf,
+} from "./book/spreads.ts";
 import type { BookState } from "./book/turning.ts";
 import { ControlsLoader } from "./controls/controls_loader.ts";
 import {
@@ -350,6 +358,24 @@ export class TurnleafBook extends ReaderElement {
   /** Replaces page `page` (from 1) by other pages. Resolves and rejects as `insertPages` does. */
   replacePage(page: number, pages: BookInput): Promise<boolean> {
     return this.#changePages(page, 1, pages);
+  }
+
+  /**
+   * Draws a page (from 1, by default every open one) anew, as it looks now: one whose looks have
+   * changed without the book's knowledge, as those of a page source of your own or of an element with
+   * a canvas. `settled` says when it is drawn. What is painted on a canvas of a page that is an
+   * element is seen in the air as it is when the leaf takes off, without this.
+   */
+  redraw(page?: number): void {
+    const book = this.#life.book;
+    if (book === null) return;
+    const { binding, turning } = book.viewer;
+    for (const each of page === undefined ? pagesAt(binding, turning.spread) : [page]) {
+      if (!Number.isInteger(each) || each < 1 || each > book.source.pageCount) continue;
+      book.source.outdate(each - 1);
+      book.viewer.redraw(each);
+      book.roll?.redraw(each);
+    }
   }
 
   /**

@@ -12,6 +12,7 @@ import type { PageSource } from "../sources/page_source.ts";
 import type { Point } from "../text/page_view.ts";
 import type { Viewer } from "../viewer/viewer.ts";
 import type { LiveDrawings } from "./live_drawings.ts";
+import { PaintedCanvases } from "./painted_canvases.ts";
 import { addStyle } from "./shadow_tree.ts";
 
 /** Where the place of a page is measured, in fractions: it bends near the spine, where little stands. */
@@ -46,8 +47,8 @@ export class LivePages {
   /** Films and sounds that go on when their page is open again. */
   readonly #paused = new Set<HTMLMediaElement>();
   readonly #ended = new AbortController();
-  /** Draws them while they turn, where the browser can. */
-  #drawings: LiveDrawings | null = null;
+  /** Draws them while they turn: all of them where the browser can, otherwise their canvases. */
+  #drawings: LiveDrawings | PaintedCanvases | null = null;
 
   /**
    * @param host whose children the elements are, or become
@@ -93,6 +94,8 @@ export class LivePages {
   /** Shows the elements of a viewer's open pages while they lie still. */
   follow(viewer: Viewer, source: PageSource): void {
     const { signal } = this.#ended;
+    this.#drawings?.destroy();
+    this.#drawings = new PaintedCanvases(viewer, (page) => source.element?.(page - 1));
     const stop = viewer.onStillChange((isStill) => {
       this.#layer.classList.toggle("seen", isStill);
       if (isStill) this.#drawings?.end();

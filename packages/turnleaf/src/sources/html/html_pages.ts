@@ -163,6 +163,10 @@ export class HtmlPages implements PageSource {
     this.#onDrawing = listener;
   }
 
+  outdate(index: number): void {
+    this.#copies.delete(this.#page(index));
+  }
+
   watchSizes(listener: () => void): void {
     this.#onSizes = listener;
     for (const page of this.#guessed) this.#resized(page);
@@ -191,7 +195,8 @@ export class HtmlPages implements PageSource {
   }
 
   #copyOf(page: HTMLElement, name: string): Promise<FrozenCopy> {
-    const known = this.#copies.get(page);
+    // What is painted on a canvas may be other than a moment ago.
+    const known = page.querySelector("canvas") ? undefined : this.#copies.get(page);
     // Of a page that is not laid out there is nothing to keep.
     if (page.offsetWidth === 0) throw new BookError(`${name} is not laid out; show the book.`);
     const copy = known ?? freeze(page, name, this.#pixels);
