@@ -237,8 +237,8 @@ export class Viewer {
   get bounds(): { readonly from: Place; readonly to: Place } {
     const { width, height, alone } = this.#bound.shape;
     const [left, right] = [alone === 1 ? 0 : -width, alone === -1 ? 0 : width];
-    const a = this.#stage.project([left, height, 0]);
-    const b = this.#stage.project([right, 0, 0]);
+    const a = this.#stage.projectOpen([left, height, 0]);
+    const b = this.#stage.projectOpen([right, 0, 0]);
     const [x, y] = [Math.min(a.x, b.x), Math.min(a.y, b.y)];
     return { from: { x, y }, to: { x: Math.max(a.x, b.x), y: Math.max(a.y, b.y) } };
   }
