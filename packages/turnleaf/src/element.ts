@@ -23,6 +23,7 @@ import {
   turnSecondsOf,
 } from "./element/attributes.ts";
 import { BookLifecycle, type OpenBook, pdfWorkerOf } from "./element/book_lifecycle.ts";
+import type { TurnDetail } from "./element/events.ts";
 import { placeOf } from "./element/fold_lists.ts";
 import type { PageChanges } from "./element/page_changes.ts";
 import type { PageLists } from "./element/page_lists.ts";
@@ -114,6 +115,8 @@ export class TurnleafBook extends ReaderElement {
   readonly #asked = new RequestedPage();
   /** The page where this book was last closed. */
   #left: { readonly page: number; readonly view: Zoom } | null = null;
+  /** The page that has been set in this task; null if none has. */
+  #justSet: number | null = null;
   /** The page of the last `pagechange`, until a page is requested. */
   #reported: number | null = null;
   /** The state of the last `statechange`. */
@@ -185,7 +188,13 @@ export class TurnleafBook extends ReaderElement {
 
   set page(page: number) {
     const asked = pageNumber(page);
-    if (asked !== null && asked !== this.#reported) void this.goTo(asked);
+    if (asked === null) return;
+    // Frameworks set properties one after the other: `pages` may follow.
+    this.#justSet = asked;
+    queueMicrotask(() => {
+      this.#justSet = null;
+    });
+    if (asked !== this.#reported) void this.goTo(asked);
   }
 
   /** Whether the visible pages are at full sharpness and nothing moves. */
@@ -683,6 +692,8 @@ export class TurnleafBook extends ReaderElement {
       this.#life.close();
       this.#asked.failed();
     } else if (!this.#life.book) this.#forget();
+    // It is meant for the book that opens.
+    if (!isNone && this.#justSet !== null) void this.#asked.ask(this.#justSet);
     this.#reopen();
   }
 
@@ -746,6 +757,7 @@ export class TurnleafBook extends ReaderElement {
         this.emit("pageerror", { page, message });
       },
       onLayout: () => this.#laidOut(),
+      onPage: (from, to) => this.#pageChanged(from, to, from < to ? "forward" : "backward"),
       onMotion: (...frame) => {
         this.#updateState();
         this.#soundAndHaptics.follow(...frame);
@@ -806,10 +818,14 @@ export class TurnleafBook extends ReaderElement {
     const binding = this.#viewer?.binding;
     this.#soundAndHaptics.lie();
     if (binding === undefined || from === to) return;
-    this.#describe();
     const direction = directionOf(binding, from, to);
-    this.#reported = pageOf(binding, to);
-    this.emit("pagechange", { from: pageOf(binding, from), to: this.#reported, direction });
+    this.#pageChanged(pageOf(binding, from), pageOf(binding, to), direction);
+  }
+
+  #pageChanged(from: number, to: number, direction: TurnDetail["direction"]): void {
+    this.#describe();
+    this.#reported = to;
+    this.emit("pagechange", { from, to, direction });
   }
 
   async #changePages(at: number, count: number, input: BookInput | null): Promise<boolean> {

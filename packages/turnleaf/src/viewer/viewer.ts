@@ -7,7 +7,7 @@
 
 import { faceOf } from "../book/faces.ts";
 import type { Paper } from "../book/paper.ts";
-import { type Binding, clampSpread, pagesAt } from "../book/spreads.ts";
+import { type Binding, clampSpread, pageOf, pagesAt } from "../book/spreads.ts";
 import type { BookState, Turning } from "../book/turning.ts";
 import type { BookEngine } from "../engine/book_engine.ts";
 import type { ModelChoice } from "../leaf_models/model_choice.ts";
@@ -631,6 +631,8 @@ export class Viewer {
     this.#foldOut.close();
     this.#sharpness.close();
     const before = this.binding;
+    const page = pageOf(before, this.turning.spread);
+    const isRenumbered = this.#rebinder.willRenumber;
     this.#rebinder.bindAnew(this.#cssWidth, this.#cssHeight);
     this.#bound.drags.foldOut = this.#foldOut;
     this.sheets.bound();
@@ -638,6 +640,8 @@ export class Viewer {
     this.#stillHistory.forget();
     const { edge, layout } = this.binding;
     if (edge !== before.edge || layout !== before.layout) this.#options.onLayout?.();
+    const now = pageOf(this.binding, this.turning.spread);
+    if (now !== page && !isRenumbered) this.#options.onPage?.(page, now);
     this.#show();
   }
 
