@@ -787,7 +787,7 @@ export class TurnleafBook extends ReaderElement {
     this.#left = null;
     this.#reported = null;
     this.#tree.say("");
-    this.#tree.fit(viewer.placeRatio);
+    this.#tree.fit(viewer);
     this.#describe();
     this.#updateState();
     this.#follow(viewer);
@@ -899,7 +899,7 @@ export class TurnleafBook extends ReaderElement {
   #laidOut(): void {
     const viewer = this.#viewer;
     if (viewer === undefined) return;
-    this.#tree.fit(viewer.placeRatio);
+    this.#tree.fit(viewer);
     this.#describe();
     const { layout, edge } = viewer.binding;
     this.emit("layoutchange", { layout, binding: edge });

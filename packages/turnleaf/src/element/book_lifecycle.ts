@@ -532,6 +532,9 @@ export class OpenBook {
     const resize = (): void => {
       const { clientWidth, clientHeight } = stage;
       if (clientWidth > 0 && clientHeight > 0) {
+        // Printed, it is as on the screen, scaled.
+        stage.style.setProperty("--screen-width", `${clientWidth}px`);
+        stage.style.setProperty("--screen-height", `${clientHeight}px`);
         this.viewer.resize(clientWidth, clientHeight, view.devicePixelRatio);
       }
     };

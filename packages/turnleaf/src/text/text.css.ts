@@ -28,6 +28,7 @@ export const textStyle: string = /* css */ `
 .medium button:disabled { opacity: 0.5; }
 .medium video { object-fit: contain; background: #000; }
 .print { mix-blend-mode: multiply; }
+.text ::selection { background: none; }
 .text span::selection { color: transparent; background: rgb(178 203 238 / 0.996); }
 .guard { position: absolute; inset: 0; pointer-events: auto; cursor: text; user-select: none; -webkit-user-select: none; }
 .note {

@@ -216,6 +216,12 @@ export class Viewer {
     return fullness * pages;
   }
 
+  /** Width of that place in CSS pixels where a page is as large as its source says, whose unit counts as one. */
+  get placeWidth(): number {
+    const { width } = this.#book.leaf;
+    return this.#bound.shape.quarterTurned ? width : 2 * width;
+  }
+
   /** Where the book lies open and how it gets elsewhere; replaced with every binding. */
   get turning(): Turning {
     return this.#bound.turning;
