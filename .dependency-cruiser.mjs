@@ -9,10 +9,11 @@
  */
 const parts = {
   "creased_mesh.ts": [],
+  "element_plane.ts": [],
   "model_names.ts": [],
   "packed.ts": [],
   engine: ["creased_mesh.ts", "packed.ts"],
-  sources: ["packed.ts"],
+  sources: ["element_plane.ts", "packed.ts"],
   words: [],
   models: ["creased_mesh.ts", "model_names.ts", "packed.ts"],
   key_frames: ["creased_mesh.ts", "model_names.ts"],
@@ -44,12 +45,13 @@ const parts = {
     "webgl",
     "webgl_backend.ts",
   ],
-  input: ["book", "engine", "stage", "viewer"],
+  input: ["book", "element_plane.ts", "engine", "stage", "viewer"],
   text: ["pages", "sources"],
   sound: ["engine", "stage"],
   read_aloud: ["sources"],
   element: [
     "book",
+    "element_plane.ts",
     "engine",
     "sources",
     "words",

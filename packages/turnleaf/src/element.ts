@@ -2,7 +2,15 @@
 
 import type { PagePlace } from "./book/page_folds.ts";
 import type { Paper } from "./book/paper.ts";
-import { directionOf, forward, leftPage, pageOf, rightPage, spreadOf } from "./book/spreads.ts";
+import {
+  directionOf,
+  forward,
+  leftPage,
+  pageOf,
+  pagesAt,
+  rightPage,
+  spreadOf,
+} from "./book/spreads.ts";
 import type { BookState } from "./book/turning.ts";
 import { ControlsLoader } from "./controls/controls_loader.ts";
 import {
@@ -15,6 +23,7 @@ import {
   turnSecondsOf,
 } from "./element/attributes.ts";
 import { BookLifecycle, type OpenBook, pdfWorkerOf } from "./element/book_lifecycle.ts";
+import type { TurnDetail } from "./element/events.ts";
 import { placeOf } from "./element/fold_lists.ts";
 import type { PageChanges } from "./element/page_changes.ts";
 import type { PageLists } from "./element/page_lists.ts";
@@ -31,7 +40,7 @@ import type { BookInput } from "./sources/open.ts";
 import type { PageList } from "./sources/page_list.ts";
 import { BookError, type NewIndex, type Typography } from "./sources/page_source.ts";
 import type { Viewer, ViewerOptions, Zoom } from "./viewer/viewer.ts";
-import { elementTexts, fill, languageOf } from "./words/languages.ts";
+import { elementTexts, fill, languageOf, percent } from "./words/languages.ts";
 
 /** Duration of a zoom by command, seconds. */
 const zoomSeconds = 0.25;
@@ -59,12 +68,14 @@ export class TurnleafBook extends ReaderElement {
   readonly #life = new BookLifecycle(this, this.#tree.stage, {
     prepare: () => this.#keepPlace(),
     restore: (source, src) => this.#restore(source, src),
+    plane: this.#tree.plane,
     replacing: () => {
       this.#soundAndHaptics.close();
       this.#forget();
     },
     options: (source) => this.#options(source),
     turn: (by) => void this.press(by),
+    announceZoom: () => this.announceZoom(),
     calm: () => this.#calm,
     goTo: (page, top) => void this.turnTo(page, { top }),
     typography: () => this.#takeTypography(),
@@ -74,6 +85,7 @@ export class TurnleafBook extends ReaderElement {
     leaving: () => this.#leave(),
     opened: (book) => this.#opened(book),
     changing: (change) => void this.#followSource(change),
+    measured: () => this.#laidOut(),
     renumbered: (moved, pageCount) => this.moveLists(moved.placeOf ?? moved, pageCount),
     missingPart: (error) => this.#reportMissingPart(error),
     failed: (error) => this.#fail(error),
@@ -103,6 +115,8 @@ export class TurnleafBook extends ReaderElement {
   readonly #asked = new RequestedPage();
   /** The page where this book was last closed. */
   #left: { readonly page: number; readonly view: Zoom } | null = null;
+  /** The page that has been set in this task; null if none has. */
+  #justSet: number | null = null;
   /** The page of the last `pagechange`, until a page is requested. */
   #reported: number | null = null;
   /** The state of the last `statechange`. */
@@ -174,7 +188,13 @@ export class TurnleafBook extends ReaderElement {
 
   set page(page: number) {
     const asked = pageNumber(page);
-    if (asked !== null && asked !== this.#reported) void this.goTo(asked);
+    if (asked === null) return;
+    // Frameworks set properties one after the other: `pages` may follow.
+    this.#justSet = asked;
+    queueMicrotask(() => {
+      this.#justSet = null;
+    });
+    if (asked !== this.#reported) void this.goTo(asked);
   }
 
   /** Whether the visible pages are at full sharpness and nothing moves. */
@@ -350,6 +370,24 @@ export class TurnleafBook extends ReaderElement {
   }
 
   /**
+   * Draws a page (from 1, by default every open one) anew, as it looks now: one whose looks have
+   * changed without the book's knowledge, as those of a page source of your own or of an element with
+   * a canvas. `settled` says when it is drawn. What is painted on a canvas of a page that is an
+   * element is seen in the air as it is when the leaf takes off, without this.
+   */
+  redraw(page?: number): void {
+    const book = this.#life.book;
+    if (book === null) return;
+    const { binding, turning } = book.viewer;
+    for (const each of page === undefined ? pagesAt(binding, turning.spread) : [page]) {
+      if (!Number.isInteger(each) || each < 1 || each > book.source.pageCount) continue;
+      book.source.outdate(each - 1);
+      book.viewer.redraw(each);
+      book.roll?.redraw(each);
+    }
+  }
+
+  /**
    * Tears the leaf of an open page (from 1, by default the first visible one) out, if `tearable`
    * allows it: both of its pages leave the book, and it lies beside it as a loose sheet, to be
    * moved or thrown out of sight; without motion it is gone at once. Resolves, once it is off, to whether it is: false on the flat,
@@ -454,6 +492,35 @@ export class TurnleafBook extends ReaderElement {
       ? { x: at.x - offsetLeft, y: at.y - offsetTop }
       : { x: clientWidth / 2, y: clientHeight / 2 };
     this.#viewer?.zoom(Number(level), place, place, this.#calm ? 0 : zoomSeconds);
+  }
+
+  /**
+   * Returns where a point of the window, as `clientX` and `clientY` of an event, lies on the element:
+   * CSS pixels from its upper left corner, as `bookBounds` and `zoomTo` have them, however it and the
+   * elements around it are transformed; null while it is not shown, or seen edge-on.
+   */
+  pointAt(clientX: number, clientY: number): DOMPoint | null {
+    const at = this.#tree.plane.fromClient(clientX, clientY);
+    const { offsetLeft, offsetTop } = this.#tree.stage;
+    return at && new DOMPoint(at.x + offsetLeft, at.y + offsetTop);
+  }
+
+  /**
+   * Announces a text to screen readers.
+   *
+   * @internal
+   */
+  announce(text: string): void {
+    this.#tree.announce(text);
+  }
+
+  /**
+   * Announces the zoom level to screen readers.
+   *
+   * @internal
+   */
+  announceZoom(): void {
+    this.announce(percent(languageOf(this), this.zoom));
   }
 
   /** Focuses the book, also from one of its controls: keys then turn its pages. */
@@ -625,6 +692,8 @@ export class TurnleafBook extends ReaderElement {
       this.#life.close();
       this.#asked.failed();
     } else if (!this.#life.book) this.#forget();
+    // It is meant for the book that opens.
+    if (!isNone && this.#justSet !== null) void this.#asked.ask(this.#justSet);
     this.#reopen();
   }
 
@@ -688,6 +757,7 @@ export class TurnleafBook extends ReaderElement {
         this.emit("pageerror", { page, message });
       },
       onLayout: () => this.#laidOut(),
+      onPage: (from, to) => this.#pageChanged(from, to, from < to ? "forward" : "backward"),
       onMotion: (...frame) => {
         this.#updateState();
         this.#soundAndHaptics.follow(...frame);
@@ -717,7 +787,7 @@ export class TurnleafBook extends ReaderElement {
     this.#left = null;
     this.#reported = null;
     this.#tree.say("");
-    this.#tree.fit(viewer.placeRatio);
+    this.#tree.fit(viewer);
     this.#describe();
     this.#updateState();
     this.#follow(viewer);
@@ -748,10 +818,14 @@ export class TurnleafBook extends ReaderElement {
     const binding = this.#viewer?.binding;
     this.#soundAndHaptics.lie();
     if (binding === undefined || from === to) return;
-    this.#describe();
     const direction = directionOf(binding, from, to);
-    this.#reported = pageOf(binding, to);
-    this.emit("pagechange", { from: pageOf(binding, from), to: this.#reported, direction });
+    this.#pageChanged(pageOf(binding, from), pageOf(binding, to), direction);
+  }
+
+  #pageChanged(from: number, to: number, direction: TurnDetail["direction"]): void {
+    this.#describe();
+    this.#reported = to;
+    this.emit("pagechange", { from, to, direction });
   }
 
   async #changePages(at: number, count: number, input: BookInput | null): Promise<boolean> {
@@ -825,7 +899,7 @@ export class TurnleafBook extends ReaderElement {
   #laidOut(): void {
     const viewer = this.#viewer;
     if (viewer === undefined) return;
-    this.#tree.fit(viewer.placeRatio);
+    this.#tree.fit(viewer);
     this.#describe();
     const { layout, edge } = viewer.binding;
     this.emit("layoutchange", { layout, binding: edge });

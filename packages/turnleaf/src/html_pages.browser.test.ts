@@ -2,6 +2,7 @@ import { afterEach, expect, test, vi } from "vitest";
 import "./index.ts";
 import { userEvent } from "vitest/browser";
 import type { TurnleafBook } from "./element.ts";
+import { clock } from "./for_tests/clock.ts";
 import { book, happens, keepWhatIsDrawn, settled } from "./for_tests/element_books.ts";
 import { eventually } from "./for_tests/eventually.ts";
 import { HtmlPages } from "./sources/html/html_pages.ts";
@@ -285,3 +286,47 @@ test("while a leaf moves the book shows pictures", async () => {
   await turned;
   await laidOut(element);
 });
+
+test.each(["display: none", "a closed dialog"])(
+  "pages that are hidden at first, by %s, are measured when they are seen, and kept while they are hidden again",
+  async (way) => {
+    const around = document.createElement(way === "a closed dialog" ? "dialog" : "div");
+    const show = (isShown: boolean): void => {
+      if (around instanceof HTMLDialogElement) {
+        if (isShown) around.show();
+        else around.close();
+      } else around.style.display = isShown ? "" : "none";
+    };
+    show(false);
+    const pages = sections("a", "b", "c", "d", "e", "f");
+    for (const page of pages) page.style.cssText = "width: 300px; height: 150px; font: 20px serif";
+    const element = book(null, { cover: "none", duration: "0", layout: "spread" });
+    element.append(...pages);
+    around.append(element);
+    document.body.append(around);
+    await happens(element, "load");
+    const failures: unknown[] = [];
+    element.addEventListener("pageerror", (event) => failures.push(event));
+    const loads: unknown[] = [];
+    element.addEventListener("load", (event) => loads.push(event));
+    show(true);
+    const shapeOf = (): number => {
+      const { width, height } = element.bookBounds as DOMRect;
+      return width / height;
+    };
+    await eventually(() => shapeOf() > 1.7).toBe(true);
+    await laidOut(element);
+    const upright = shapeOf();
+    // Two pages of twice their height: wider than the standing ones that were guessed.
+    expect(upright).toBeGreaterThan(3);
+    const { width, height } = pages[0].getBoundingClientRect();
+    expect(width / height).toBeCloseTo(2, 0);
+    show(false);
+    await clock.pass(500);
+    show(true);
+    await laidOut(element);
+    expect(shapeOf()).toBeCloseTo(upright, 1);
+    expect([failures.length, loads.length]).toEqual([0, 0]);
+    around.remove();
+  },
+);

@@ -191,10 +191,18 @@ export class Canvas2DStage implements BookStage {
     return { origin: [across, along, 1], direction: [0, 0, -1] };
   }
 
-  project([x, y]: Vec3): Place {
-    const { scale } = this.#layout;
+  project(point: Vec3): Place {
+    return this.#placeIn(this.#layout, point);
+  }
+
+  projectOpen(point: Vec3): Place {
+    const open = { ...this.#pose, frontBoard: Math.PI, backBoard: 0 };
+    return this.#placeIn(this.#layOut(open, this.#zooming.zoom), point);
+  }
+
+  #placeIn(layout: Layout, [x, y]: Vec3): Place {
     const [right, down] = this.#shape.quarterTurned ? [y, x] : [x, this.#shape.height - y];
-    return { x: this.#layout.x + scale * right, y: this.#layout.y + scale * down };
+    return { x: layout.x + layout.scale * right, y: layout.y + layout.scale * down };
   }
 
   projectOn(face: Face, x: number, y: number): Place {
@@ -218,9 +226,13 @@ export class Canvas2DStage implements BookStage {
   }
 
   #aim(zoom: Zoom = this.#zooming.zoom): void {
+    this.#layout = this.#layOut(this.#pose, zoom);
+  }
+
+  #layOut(pose: BookPose, zoom: Zoom): Layout {
     const [width, height] = [this.#width, this.#height];
-    const whole = layOut(this.#shape, this.#pose, width, height);
-    this.#layout = magnified(whole, zoom.level, this.#zooming.show(zoom), width, height);
+    const whole = layOut(this.#shape, pose, width, height);
+    return magnified(whole, zoom.level, this.#zooming.show(zoom), width, height);
   }
 
   /** Fades out what lies beyond the spine of a page that stands alone. */

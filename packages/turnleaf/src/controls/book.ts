@@ -59,6 +59,9 @@ export interface ControlledBook<Hit extends FoundPlace = FoundPlace> extends HTM
   /** Turns to a page of the open book for its reader, and to a place so far down it. */
   turnTo(page: number, options?: { readonly top?: number }): Promise<boolean>;
   zoomTo(level: number): void;
+  /** Announces a text, and the zoom level, to screen readers. */
+  announce(text: string): void;
+  announceZoom(): void;
   search(query: string, options?: { signal?: AbortSignal }): Promise<readonly Hit[]>;
   showHit(hit: Hit | null): Promise<boolean>;
   outline(): Promise<readonly OutlineEntry[]>;

@@ -226,9 +226,13 @@ test("keys turn, zoom and search; those of a field and of the browser are left a
     "turnTo Infinity",
     "turnTo 1",
     "zoom 1.5",
+    "announce zoom 1.5",
     "zoom 1",
+    "announce zoom 1",
     "zoom 1",
+    "announce zoom 1",
     "fullscreen",
+    "announce Bookmarks: i",
   ]);
   expect([book.bookmarks, book.shifts]).toEqual([[1], [1]]);
   book.asked.length = 0;
@@ -236,11 +240,33 @@ test("keys turn, zoom and search; those of a field and of the browser are left a
   book.dispatchEvent(find);
   expect(find.defaultPrevented).toBe(false);
   expect(book.asked).toEqual([]);
+  await userEvent.keyboard("b");
+  expect(book.asked).toEqual(["announce No page is bookmarked yet."]);
+  book.asked.length = 0;
   await userEvent.keyboard("/");
   expect(active(root)).toBe("Find in this book");
   await userEvent.keyboard("f+ b0");
   expect(root.querySelector<HTMLInputElement>(".query")?.value).toBe("f+ b0");
   expect(book.asked).toEqual([]);
+});
+
+test("in a dialog of the web page's own, keys are the book's, and Escape closes the panel first", async () => {
+  const { book, root } = addFakeBook();
+  const dialog = document.createElement("dialog");
+  document.body.append(dialog);
+  dialog.append(book);
+  dialog.showModal();
+  book.focus();
+  await userEvent.keyboard(" +b");
+  expect(book.asked.filter((asked) => !asked.startsWith("announce"))).toEqual(["next", "zoom 1.5"]);
+  expect(book.bookmarks).toEqual([6]);
+  await userEvent.keyboard("/");
+  expect(active(root)).toBe("Find in this book");
+  await userEvent.keyboard("{Escape}");
+  expect([root.querySelector<HTMLElement>(".panel")?.hidden, dialog.open]).toEqual([true, true]);
+  await userEvent.keyboard("{Escape}");
+  expect(dialog.open).toBe(false);
+  dialog.remove();
 });
 
 test("a search lists its places with what stands about them, and counts them", async () => {

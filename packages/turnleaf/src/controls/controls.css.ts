@@ -119,6 +119,7 @@ export const style: string = /* css */ `
 .full:not(.awake, .open) > .bar:not(:focus-within) { translate: 0 -100%; visibility: hidden; }
 .full:not(.awake, .open) > .pages:not(:focus-within) { translate: 0 100%; visibility: hidden; }
 @media (prefers-reduced-motion: reduce) { .ui, .ui * { transition: none !important; } }
+@media print { .ui { display: none !important; } }
 @media (forced-colors: active) {
   .ui, .menu { border-color: CanvasText; }
   [part~="button"]:is([aria-expanded="true"], [aria-pressed="true"]), .tabs [aria-selected="true"], .ui [aria-current], .menu [aria-checked="true"] { outline: 2px solid Highlight; outline-offset: -3px; }

@@ -160,7 +160,16 @@ function build<Hit extends FoundPlace>(
         close();
         return wasOpen;
       },
-      zoom: (by) => zoomBy(book, by),
+      zoom: (by) => {
+        zoomBy(book, by);
+        book.announceZoom();
+      },
+      bookmark: () => {
+        book.toggleBookmark();
+        const { texts, list } = wording;
+        const labels = list(book.bookmarks.map((page) => book.label(page)));
+        book.announce(labels === "" ? texts.noBookmarks : `${texts.bookmarks}: ${labels}`);
+      },
     },
     signal,
   );

@@ -8,6 +8,7 @@ export interface KeyCommands {
   /** Closes what is open. Returns whether something was. */
   escape(): boolean;
   zoom(by: 1 | 0 | -1): void;
+  bookmark(): void;
 }
 
 /**
@@ -24,7 +25,10 @@ export function listenToKeys(
 }
 
 function handle(event: KeyboardEvent, book: ControlledBook, commands: KeyCommands): void {
-  const isDialogs = event.composedPath().some((at) => at instanceof HTMLDialogElement);
+  // A dialog around the book is the web page's own: the book is read there as anywhere.
+  const path = event.composedPath();
+  const inside = path.slice(0, path.indexOf(book));
+  const isDialogs = inside.some((at) => at instanceof HTMLDialogElement);
   if (event.defaultPrevented || event.altKey || isDialogs) return;
   if (event.ctrlKey || event.metaKey) {
     const undoes = event.key === "z" && !event.shiftKey && book.tornLeaves > 0;
@@ -45,7 +49,7 @@ function handle(event: KeyboardEvent, book: ControlledBook, commands: KeyCommand
     "-": () => commands.zoom(-1),
     "0": () => commands.zoom(0),
     f: () => book.toggleFullscreen(),
-    b: () => book.toggleBookmark(),
+    b: () => commands.bookmark(),
     o: () => book.shownLayout === "spread" && book.toggleShift(),
     "/": () => commands.search(),
   };

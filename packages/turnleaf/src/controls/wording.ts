@@ -1,6 +1,6 @@
 /** A language as the controls use it. */
 
-import { elementTexts, fill, number, textsFor } from "../words/languages.ts";
+import { elementTexts, fill, list, number, textsFor } from "../words/languages.ts";
 import { plural } from "../words/plural.ts";
 import type { ControlTexts, Plural } from "../words/texts.ts";
 import { en } from "./texts_en.ts";
@@ -12,6 +12,7 @@ export interface Wording {
   /** A page by its label, such as "Page iv". */
   readonly pageNamed: string;
   number(n: number): string;
+  list(words: readonly string[]): string;
   plural(forms: Plural, n: number): string;
 }
 
@@ -21,6 +22,7 @@ export function wordingFor(tag: string): Wording {
     texts: textsFor(tag, { en, zh }),
     pageNamed: elementTexts(tag).pageNamed,
     number: (n) => number(tag, n),
+    list: (words) => list(tag, words),
     plural: (forms, n) => plural(tag, forms, n),
   };
 }

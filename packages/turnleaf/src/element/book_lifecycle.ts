@@ -3,6 +3,7 @@
  * read, closed.
  */
 
+import type { ElementPlane } from "../element_plane.ts";
 import { Input } from "../input/input.ts";
 import type { Gesture } from "../input/target.ts";
 import {
@@ -36,10 +37,14 @@ export interface LifecycleHooks {
   restore(source: PageList, src: string): Promise<void>;
   /** The open book is about to close for another, which has been read. */
   replacing(): void;
+  /** How the stage is seen in the window. */
+  readonly plane: ElementPlane;
   /** How a book is shown. */
   options(source: PageList): ViewerOptions;
   /** Turns one leaf forward (1) or back (-1), with motion or without, as the reader prefers. */
   readonly turn: (by: 1 | -1) => void;
+  /** Announces to screen readers the zoom level to which a key leads. */
+  readonly announceZoom: () => void;
   /** Turns the open book to a page (from 1), and to a place so far down it, as `top` of `LinkTarget`. */
   readonly goTo: (page: number, top?: number) => void;
   /** The open book is about to close, to be opened again where it lies. */
@@ -56,6 +61,8 @@ export interface LifecycleHooks {
   opened(book: OpenBook): void;
   /** The open book's source is about to change its pages, by calling `change`. */
   changing(change: () => NewIndex): void;
+  /** The leaves of the open book have the size of its pages, which had to be guessed until now. */
+  measured(): void;
   /** The pages of the open book, so many before, lie elsewhere: it is about to be bound anew. */
   renumbered(moved: NewIndex, pageCount: number): void;
   /** An optional part of the viewer could not be loaded. */
@@ -276,6 +283,11 @@ export class BookLifecycle {
       const book = this.#book;
       if (book?.source === source) this.#hooks.changing(change);
     });
+    source.watchSizes(() => {
+      const book = this.#book;
+      if (book?.source !== source) return;
+      book.measure().then(() => this.#hooks.measured(), this.#hooks.missingPart);
+    });
     source.watchDrawings((index) => {
       if (this.#book?.source !== source) return;
       this.#book.viewer.redraw(index + 1);
@@ -287,7 +299,9 @@ export class BookLifecycle {
   async #rollOver(source: PageList, viewer: Viewer): Promise<RollView | null> {
     if (!hasRolls(source)) return null;
     const { RollView } = await loadPart(import("./roll_view.ts"));
-    return new RollView({ host: this.#element, stage: this.#stage, source, viewer });
+    return new RollView({
+      ...{ host: this.#element, stage: this.#stage, source, viewer, plane: this.#hooks.plane },
+    });
   }
 
   /** How a book is shown, if its graphics card does not fail. */
@@ -446,7 +460,7 @@ export class OpenBook {
     { canvas, source, viewer, elements, roll }: OpenBookParts,
     hooks: LifecycleHooks,
   ) {
-    const { turn, calm, goTo, missingPart } = hooks;
+    const { turn, announceZoom, calm, goTo, missingPart, plane } = hooks;
     this.#renumbered = (moved, pageCount) => hooks.renumbered(moved, pageCount);
     this.source = source;
     this.viewer = viewer;
@@ -456,7 +470,9 @@ export class OpenBook {
     elements.follow(viewer);
     const allows = (gesture: Gesture): boolean => allowsGesture(element, gesture);
     const swipeDistance = (): number => swipeDistanceOf(element);
-    this.#input = new Input(canvas, stage, element, { viewer, turn, calm, allows, swipeDistance });
+    this.#input = new Input(canvas, stage, element, {
+      ...{ viewer, plane, turn, announceZoom, calm, allows, swipeDistance },
+    });
     const language = (): string => languageOf(element);
     this.reading = new ReadableBook({ source, viewer, canvas, roll, goTo, language }, missingPart);
     this.#element = element;
@@ -484,6 +500,16 @@ export class OpenBook {
     return isMade;
   }
 
+  /** Gives the leaves the size of their pages, which had to be guessed until now. */
+  async measure(): Promise<void> {
+    const { signal } = this.#ended;
+    try {
+      await this.changePages(await this.viewer.measure(signal));
+    } catch (error) {
+      if (!signal.aborted) throw error;
+    }
+  }
+
   /**
    * Frees everything but the source of the pages.
    *
@@ -506,6 +532,9 @@ export class OpenBook {
     const resize = (): void => {
       const { clientWidth, clientHeight } = stage;
       if (clientWidth > 0 && clientHeight > 0) {
+        // Printed, it is as on the screen, scaled.
+        stage.style.setProperty("--screen-width", `${clientWidth}px`);
+        stage.style.setProperty("--screen-height", `${clientHeight}px`);
         this.viewer.resize(clientWidth, clientHeight, view.devicePixelRatio);
       }
     };

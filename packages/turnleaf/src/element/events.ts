@@ -23,7 +23,8 @@ export interface TurnleafEventMap {
   turnstart: CustomEvent<TurnDetail>;
   /**
    * The book has come to rest at another spread and nothing more is planned:
-   * once per jump, however long.
+   * once per jump, however long. Or its pages lie otherwise beside each other, as by another
+   * `offset`, and another one is the first visible.
    */
   pagechange: CustomEvent<TurnDetail>;
   /**

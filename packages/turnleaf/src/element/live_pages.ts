@@ -5,12 +5,14 @@
  */
 
 import { leftPage, pagesAt, rightPage } from "../book/spreads.ts";
+import { type Projection, projectionOnto } from "../element_plane.ts";
 import { decodeEscapes } from "../sources/book_text.ts";
 import { loadPart } from "../sources/load_part.ts";
 import type { PageSource } from "../sources/page_source.ts";
 import type { Point } from "../text/page_view.ts";
 import type { Viewer } from "../viewer/viewer.ts";
 import type { LiveDrawings } from "./live_drawings.ts";
+import { PaintedCanvases } from "./painted_canvases.ts";
 import { addStyle } from "./shadow_tree.ts";
 
 /** Where the place of a page is measured, in fractions: it bends near the spine, where little stands. */
@@ -45,8 +47,8 @@ export class LivePages {
   /** Films and sounds that go on when their page is open again. */
   readonly #paused = new Set<HTMLMediaElement>();
   readonly #ended = new AbortController();
-  /** Draws them while they turn, where the browser can. */
-  #drawings: LiveDrawings | null = null;
+  /** Draws them while they turn: all of them where the browser can, otherwise their canvases. */
+  #drawings: LiveDrawings | PaintedCanvases | null = null;
 
   /**
    * @param host whose children the elements are, or become
@@ -92,6 +94,8 @@ export class LivePages {
   /** Shows the elements of a viewer's open pages while they lie still. */
   follow(viewer: Viewer, source: PageSource): void {
     const { signal } = this.#ended;
+    this.#drawings?.destroy();
+    this.#drawings = new PaintedCanvases(viewer, (page) => source.element?.(page - 1));
     const stop = viewer.onStillChange((isStill) => {
       this.#layer.classList.toggle("seen", isStill);
       if (isStill) this.#drawings?.end();
@@ -203,12 +207,12 @@ function layPage(
   const corners = [at(near, near), at(far, near), at(near, far), at(far, far)];
   const [a, b, c, d] = corners;
   if (!a || !b || !c || !d || !(width > 0 && height > 0)) return;
-  const seen = perspectiveOf([a, b, c, d]);
+  const seen = projectionOnto([a, b, c, d]);
   const span = far - near;
   const [sx, sy, from] = [1 / (span * width), 1 / (span * height), -near / span];
   // The same from CSS pixels of the element's own.
-  const row = ([x, y, one]: Row): Row => [x * sx, y * sy, (x + y) * from + one];
-  const [[xx, yx, x], [xy, yy, y], [wx, wy, w]] = seen.map(row) as [Row, Row, Row];
+  const row = ([x, y, one]: Projection[0]): Projection[0] => [x * sx, y * sy, (x + y) * from + one];
+  const [[xx, yx, x], [xy, yy, y], [wx, wy, w]] = seen.map(row) as unknown as Projection;
   const parts = [xx, xy, 0, wx, yx, yy, 0, wy, 0, 0, w, 0, x, y, 0, w].map((part) => part / w);
   box.style.transform = `matrix3d(${parts.map((part) => Number(part.toFixed(9))).join()})`;
   if (viewer.binding.quarterTurned) return;
@@ -233,26 +237,6 @@ function spineOf(viewer: Viewer): { readonly page: number; readonly at: Point } 
   return a && b && { page: left, at: { x: (a.x + b.x) / 2, y: (a.y + b.y) / 2 } };
 }
 
-/** A row of a matrix of projection. */
-type Row = readonly [x: number, y: number, one: number];
-
-/**
- * Returns the projection of a square, from 0 to 1 each way, onto four places:
- * its corners row by row (P. Heckbert, Fundamentals of Texture Mapping and Image
- * Warping, 1989, section 2.2.3).
- */
-function perspectiveOf([a, b, c, d]: readonly [Point, Point, Point, Point]): [Row, Row, Row] {
-  const [x1, x2, x3] = [b.x - d.x, c.x - d.x, a.x - b.x + d.x - c.x];
-  const [y1, y2, y3] = [b.y - d.y, c.y - d.y, a.y - b.y + d.y - c.y];
-  const area = x1 * y2 - x2 * y1;
-  const [g, h] = [(x3 * y2 - x2 * y3) / area, (x1 * y3 - x3 * y1) / area];
-  return [
-    [b.x - a.x + g * b.x, c.x - a.x + h * c.x, a.x],
-    [b.y - a.y + g * b.y, c.y - a.y + h * c.y, a.y],
-    [g, h, 1],
-  ];
-}
-
 /**
  * The style of pages that are elements. They darken the paper as ink does, so
  * that its shading shows through them as through a picture of theirs.
@@ -266,6 +250,9 @@ const style: string = /* css */ `
 .elements > div {
   position: absolute; left: 0; top: 0; width: max-content; transform-origin: 0 0; opacity: 0;
 }
+/* A box's outline has its page's colour, which a theme of high contrast has given the page. */
+.elements > div { forced-color-adjust: none; }
+.elements slot { forced-color-adjust: auto; }
 .elements.seen > :not([inert]) { opacity: 1; pointer-events: auto; }
 ::slotted(*) {
   display: block; box-sizing: border-box; position: relative !important; inset: auto !important;

@@ -49,6 +49,28 @@ test("a book that is removed in the middle of a turn is at rest", async () => {
   expect(element.bookBounds).toBeNull();
 });
 
+test.each<Record<string, string>>([
+  { cover: "hard", layout: "spread" },
+  { cover: "soft", layout: "spread" },
+  { cover: "hard", layout: "single" },
+  { cover: "hard", layout: "spread", binding: "right" },
+])("the bounds of the open book are known while it is shut, %o", async (attributes) => {
+  const element = await opened({ ...attributes, page: "1" });
+  const shut = element.bookBounds as DOMRect;
+  await element.goTo(6, { motion: false });
+  await settled(element);
+  const { left, right, top, bottom } = element.bookBounds as DOMRect;
+  await element.goTo(Number.POSITIVE_INFINITY, { motion: false });
+  await settled(element);
+  const back = element.bookBounds as DOMRect;
+  for (const closed of [shut, back]) {
+    expect(Math.abs(closed.left - left)).toBeLessThan(1);
+    expect(Math.abs(closed.right - right)).toBeLessThan(1);
+    expect(Math.abs(closed.top - top)).toBeLessThan(1);
+    expect(Math.abs(closed.bottom - bottom)).toBeLessThan(1);
+  }
+});
+
 test.each([
   { attributes: { layout: "spread" }, ratio: (2 * 90) / 120 },
   { attributes: { layout: "single" }, ratio: 90 / 120 },

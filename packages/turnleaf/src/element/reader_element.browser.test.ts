@@ -4,8 +4,10 @@
  */
 
 import { afterEach, beforeEach, expect, test } from "vitest";
+import { clock } from "../for_tests/clock.ts";
 import { book, happens, scans, settled } from "../for_tests/element_books.ts";
 import { eventually } from "../for_tests/eventually.ts";
+import type { TurnDetail } from "./events.ts";
 
 beforeEach(() => {
   localStorage.clear();
@@ -155,6 +157,48 @@ test("printing draws a sheet a page in a frame of its own, and takes it away", a
   }
   expect(document.querySelector("iframe")).toBe(null);
   observer.disconnect();
+});
+
+test("a page that is set before its pages is that of the book that opens", async () => {
+  // In a document already, as frameworks set properties.
+  const element = book(null, small);
+  element.page = 3;
+  element.pages = scans(8);
+  expect(element.page).toBe(3);
+  await happens(element, "load");
+  expect(element.page).toBe(2);
+  // In place of an open book too, at the page that it has reported.
+  await element.goTo(6, { motion: false });
+  await eventually(() => element.page).toBe(6);
+  element.page = 6;
+  element.pages = scans(10);
+  await happens(element, "load");
+  expect(element.page).toBe(6);
+  // One that was set before belongs to the book that was open then.
+  element.page = 4;
+  await clock.task();
+  element.pages = scans(6);
+  await happens(element, "load");
+  expect(element.page).toBe(1);
+});
+
+test("an offset by which another page is the first visible is a change of page", async () => {
+  const element = book(scans(8), { ...small, page: "5" });
+  await happens(element, "load");
+  await settled(element);
+  const changes: TurnDetail[] = [];
+  element.addEventListener("pagechange", ({ detail }) => changes.push(detail));
+  expect(element.page).toBe(4);
+  element.offset = 0;
+  await settled(element);
+  expect(element.page).toBe(5);
+  expect(changes).toEqual([{ from: 4, to: 5, direction: "forward" }]);
+  element.offset = 1;
+  await settled(element);
+  expect(changes[1]).toEqual({ from: 5, to: 4, direction: "backward" });
+  // Pages that are inserted before it report themselves.
+  await element.insertPages(1, scans(2));
+  expect(changes.length).toBe(2);
 });
 
 test("what cannot be drawn or given says so", async () => {

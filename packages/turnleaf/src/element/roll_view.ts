@@ -5,6 +5,7 @@
  */
 
 import { forward, pageOf, spreadOf } from "../book/spreads.ts";
+import type { ElementPlane } from "../element_plane.ts";
 import { wholePage } from "../sources/limits.ts";
 import type { PageBox, PageSize, PageSource } from "../sources/page_source.ts";
 import type { PageView, Point } from "../text/page_view.ts";
@@ -50,6 +51,8 @@ export interface RollTarget {
   readonly stage: HTMLElement;
   readonly source: PageSource;
   readonly viewer: Viewer;
+  /** How the stage is seen in the window. */
+  readonly plane: ElementPlane;
 }
 
 /**
@@ -65,6 +68,7 @@ export class RollView implements PageView {
   readonly #stage: HTMLElement;
   readonly #source: PageSource;
   readonly #viewer: Viewer;
+  readonly #plane: ElementPlane;
   readonly #ended = new AbortController();
   readonly #near: IntersectionObserver;
   readonly #sizes: ResizeObserver;
@@ -87,11 +91,12 @@ export class RollView implements PageView {
   #timer: ReturnType<typeof setTimeout> | undefined;
   #swipe = { sum: 0, last: Number.NEGATIVE_INFINITY, isSpent: false };
 
-  constructor({ host, stage, source, viewer }: RollTarget) {
+  constructor({ host, stage, source, viewer, plane }: RollTarget) {
     this.#host = host;
     this.#stage = stage;
     this.#source = source;
     this.#viewer = viewer;
+    this.#plane = plane;
     const scroller = this.#scroller;
     scroller.setAttribute("part", "roll");
     scroller.className = "roll";
@@ -369,8 +374,9 @@ export class RollView implements PageView {
   }
 
   #wheel(event: WheelEvent): void {
-    const { deltaX, deltaY } = event;
+    const { deltaY } = event;
     const viewer = this.#viewer;
+    const deltaX = this.#plane.xAxis === "left" ? -event.deltaX : event.deltaX;
     if (event.ctrlKey || event.metaKey) {
       if (!allowsGesture(this.#host, "zoom")) return;
       event.preventDefault();
@@ -400,8 +406,9 @@ export class RollView implements PageView {
     const from = new Map<number, Point>();
     const on = (name: string, handle: (event: PointerEvent) => void): void =>
       this.#scroller.addEventListener(name, handle as EventListener, { signal });
-    on("pointerdown", ({ pointerId, pointerType, clientX: x, clientY: y }) => {
-      if (pointerType !== "mouse") from.set(pointerId, { x, y });
+    on("pointerdown", ({ pointerId, pointerType, clientX, clientY }) => {
+      const at = this.#plane.fromClient(clientX, clientY);
+      if (pointerType !== "mouse" && at) from.set(pointerId, at);
     });
     // From here on the finger scrolls.
     on("pointercancel", ({ pointerId }) => from.delete(pointerId));
@@ -409,8 +416,9 @@ export class RollView implements PageView {
       const start = from.get(pointerId);
       const isOnlyOne = from.size === 1;
       from.delete(pointerId);
-      if (!start || !isOnlyOne || this.#viewer.zoomLevel > 1) return;
-      const [x, y] = [clientX - start.x, clientY - start.y];
+      const end = this.#plane.fromClient(clientX, clientY);
+      if (!start || !end || !isOnlyOne || this.#viewer.zoomLevel > 1) return;
+      const [x, y] = [end.x - start.x, end.y - start.y];
       const isLong = Math.abs(x) >= Math.max(leastSwipe, swipeDistanceOf(this.#host));
       if (!isLong || Math.abs(x) < swipeSlope * Math.abs(y)) return;
       if (allowsGesture(this.#host, "drag")) this.#leave(x < 0 ? 1 : -1);

@@ -1,9 +1,11 @@
 /** The shadow tree of `<turnleaf-book>`: its parts, its messages, its style. */
 
 import { pagesAt } from "../book/spreads.ts";
+import { ElementPlane } from "../element_plane.ts";
 import type { PageSource } from "../sources/page_source.ts";
 import type { Viewer } from "../viewer/viewer.ts";
 import { elementTexts, fill, list, number } from "../words/languages.ts";
+import { keepFocus } from "./focus_keeper.ts";
 
 /**
  * The parts of one element's shadow tree.
@@ -18,6 +20,8 @@ export class ShadowTree {
   readonly frame: HTMLElement = document.createElement("div");
   /** The area in which the book lies: the element without its controls. */
   readonly stage: HTMLElement = document.createElement("div");
+  /** How the stage is seen in the window. */
+  readonly plane: ElementPlane = new ElementPlane(this.stage);
   /** Gives the element its size if the page gives it none. */
   readonly #sizer = document.createElement("div");
   readonly #message = document.createElement("div");
@@ -50,13 +54,18 @@ export class ShadowTree {
       });
       element.attachInternals().role = "group";
       root.append(this.#sizer, this.frame);
+      keepFocus(root, () => this.frame.focus({ preventScroll: true }));
     }
     if (root.adoptedStyleSheets.length === 0) addStyle(root, style);
   }
 
-  /** Sizes the element for a place of some width over height. */
-  fit(ratio: number): void {
-    this.#sizer.style.setProperty("--ratio", String(ratio));
+  /**
+   * Sizes the element for a book: where the web page leaves its width open, it is as wide as two
+   * pages, as a film is as wide as its frames.
+   */
+  fit({ placeRatio, placeWidth }: Pick<Viewer, "placeRatio" | "placeWidth">): void {
+    this.#sizer.style.setProperty("--ratio", String(placeRatio));
+    this.#sizer.style.setProperty("--width", `${placeWidth}px`);
   }
 
   /**
@@ -145,7 +154,7 @@ ${dark(':host([theme="dark"])')}
 :host([hidden]) { display: none; }
 .frame { position: absolute; inset: 0; container: turnleaf / inline-size; }
 .room {
-  width: 20rem; padding-top: min(100% / var(--ratio, 1.2), 90vh); visibility: hidden; pointer-events: none;
+  width: max(20rem, var(--width, 0px)); padding-top: min(100% / var(--ratio, 1.2), 90vh); visibility: hidden; pointer-events: none;
 }
 :host([controls]) .room { padding-bottom: 100px; }
 [part="stage"] { position: absolute; inset: 0; overflow: hidden; color-scheme: light; }
@@ -166,5 +175,16 @@ ${dark(':host([theme="dark"])')}
 [part="message"].beside[role="status"] { animation: late 0.5s step-end; }
 @keyframes late { from { visibility: hidden; } }
 [part="message"][hidden] { display: none; }
+@media print {
+  :host(:is([controls], [theme])) { background: none; --turnleaf-dim: none; }
+  .frame { container-type: size; }
+  :host([controls]) .room { padding-bottom: 0; }
+  /* As on the screen, with all that lies over it, and as large as fits; the quotient of two lengths is a tangent. */
+  .frame > [part="stage"][part] {
+    inset: 50% auto auto 50%; width: var(--screen-width, 100%); height: var(--screen-height, 100%);
+    translate: -50% -50%;
+    scale: min(tan(atan2(100cqw, var(--screen-width, 100cqw))), tan(atan2(100cqh, var(--screen-height, 100cqh))));
+  }
+}
 .live { position: absolute; width: 1px; height: 1px; overflow: hidden; clip-path: inset(50%); }
 `;

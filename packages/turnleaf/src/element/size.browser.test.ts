@@ -3,7 +3,9 @@
 import { afterEach, expect, test } from "vitest";
 import "../index.ts";
 import type { TurnleafBook } from "../element.ts";
-import { happens, scan } from "../for_tests/element_books.ts";
+import { happens, scan, settled } from "../for_tests/element_books.ts";
+import { eventually } from "../for_tests/eventually.ts";
+import { toolSession } from "../for_tests/real_mouse.ts";
 
 afterEach(() => document.body.replaceChildren());
 
@@ -43,6 +45,12 @@ test("without a height it is as high as two of the book's pages ask for", async 
 
 test("in a flex row it has a width, and in a grid", async () => {
   expect((await shown("display: flex; width: 700px")).width).toBe(320);
+  // Two pages of 200 pixels, and as much of larger ones as there is room for.
+  const row = "display: flex; width: 700px";
+  expect((await shown(row, "", [200, 300])).width).toBe(400);
+  expect((await shown(row, "", [900, 1350])).width).toBe(700);
+  expect((await shown(row, "", [500, 300], { binding: "top" })).width).toBe(500);
+  expect((await shown("width: 700px; float: left", "float: left", [200, 300])).width).toBe(400);
   expect((await shown("display: flex; width: 700px", "flex: 1")).width).toBe(700);
   expect((await shown("display: grid; width: 700px")).width).toBe(700);
 });
@@ -67,4 +75,27 @@ test("given no book it says what to give it, until it is given one", async () =>
   element.pages = [{ src: scan(1) }];
   await loaded;
   expect(message?.hidden).toBe(true);
+});
+
+test("the web page's own print has the open spread as it is seen, and no bars", async () => {
+  await shown("width: 700px", "height: 500px", [90, 135], { controls: "" });
+  const element = document.querySelector("turnleaf-book") as TurnleafBook;
+  const root = element.shadowRoot as ShadowRoot;
+  const stage = root.querySelector("[part=stage]") as HTMLElement;
+  await eventually(() => root.querySelector(".bar")).not.toBeNull();
+  await settled(element);
+  const { width, height } = stage.getBoundingClientRect();
+  expect([width, height]).toEqual([700, 400]);
+  await toolSession().send("Emulation.setEmulatedMedia", { media: "print" });
+  // As wide as a sheet of paper.
+  element.style.cssText = "width: 350px; height: 500px";
+  const [printed, page] = [stage, element].map((at) => at.getBoundingClientRect());
+  const bars = [...root.querySelectorAll(".bar, .pages")].map((bar) => bar.checkVisibility());
+  const drawn = [stage.clientWidth, stage.clientHeight];
+  await toolSession().send("Emulation.setEmulatedMedia", { media: "" });
+  expect(bars).toEqual([false, false]);
+  expect(drawn).toEqual([700, 400]);
+  expect([printed.width, printed.height]).toEqual([350, 200]);
+  expect(printed.left).toBe(page.left);
+  expect(printed.top - page.top).toBe(150);
 });

@@ -65,6 +65,14 @@ export class FakeBook extends HTMLElement implements ControlledBook {
     this.dispatchEvent(new CustomEvent("readaloudchange"));
   }
 
+  announce(text: string): void {
+    this.asked.push(`announce ${text}`);
+  }
+
+  announceZoom(): void {
+    this.announce(`zoom ${this.zoom}`);
+  }
+
   zoomTo(level: number): void {
     this.asked.push(`zoom ${level}`);
     this.zoom = level;

@@ -64,6 +64,7 @@ export class Keys {
     if (factor === undefined) return false;
     const level = Math.max(this.#target.viewer.zoomLevel * factor, 1);
     this.#glide(level, this.#middle);
+    this.#target.announceZoom();
     return true;
   }
 

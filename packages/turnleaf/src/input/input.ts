@@ -56,6 +56,9 @@ interface Press extends Place {
   pans: boolean;
   /** Its position. */
   at: Place;
+  /** Where it went down and where it is in the window, whose pixels tell how far a hand has moved. */
+  readonly from: Place;
+  to: Place;
 }
 
 /** All pointer input on one book; `destroy` removes every listener. */
@@ -71,6 +74,8 @@ export class Input {
   readonly #wheel: Wheel;
   #pinch: Pinch | null = null;
   #isPeeking = false;
+  /** Where the last pointer was. */
+  #last: Place = { x: 0, y: 0 };
 
   /**
    * @param stage contains the canvas and the text over it
@@ -101,10 +106,7 @@ export class Input {
       if (event.target === canvas) this.#up(event);
     });
     stage.addEventListener("pointerleave", () => this.#peek(null), { signal });
-    stage.addEventListener("wheel", (event) => this.#wheel.roll(event, this.#place(event)), {
-      signal,
-      passive: false,
-    });
+    stage.addEventListener("wheel", (event) => this.#roll(event), { signal, passive: false });
     // Two fingers belong to the book; so does one on a zoomed book. Otherwise
     // the page scrolls as it likes.
     stage.addEventListener("touchmove", (event) => this.#touch(event), { signal, passive: false });
@@ -123,12 +125,20 @@ export class Input {
 
   /** Lets the page scroll by drags that turn no leaf, unless they move a zoomed book. */
   #follow(): void {
-    const scroll = this.#viewer.binding.quarterTurned ? "pan-x" : "pan-y";
+    const scroll = this.#turnsAcross ? "pan-y" : "pan-x";
     this.#stage.style.touchAction = this.#viewer.zoomLevel > 1 ? "none" : scroll;
+  }
+
+  /** Whether leaves turn to the left and right of the window, rather than up and down. */
+  get #turnsAcross(): boolean {
+    const isAcross = /left|right/.test(this.#target.plane.xAxis);
+    return isAcross !== this.#viewer.binding.quarterTurned;
   }
 
   #down(event: PointerEvent): void {
     const kind = event.pointerType;
+    // What is around the book may have been turned since.
+    this.#follow();
     if (this.#presses.has(event.pointerId) || event.button !== 0) return;
     if (keepsPointer(event, this.#stage)) return;
     const at = this.#place(event);
@@ -144,7 +154,9 @@ export class Input {
     const flick = new Flick();
     const time = event.timeStamp;
     flick.move(at, time);
-    this.#presses.set(event.pointerId, { ...at, at, hit, kind, flick, time, drag, pans: false });
+    const from = inWindow(event);
+    const press = { ...at, at, from, to: from, hit, kind, flick, time, drag, pans: false };
+    this.#presses.set(event.pointerId, press);
     this.#canvas.setPointerCapture(event.pointerId);
     drag?.move(at.x, at.y);
   }
@@ -156,6 +168,7 @@ export class Input {
     if (press === undefined) this.#hover(event, at);
     else {
       press.flick.move(at, event.timeStamp);
+      press.to = inWindow(event);
       if (press.drag === null && !press.pans) this.#begin(press, at, event.pointerId);
       press.drag?.move(at.x, at.y);
       if (press.pans) this.#viewer.zoom(this.#viewer.zoomLevel, press.at, at, 0);
@@ -165,8 +178,7 @@ export class Input {
 
   /** Makes a press that has moved a drag or a pan. */
   #begin(press: Press, at: Place, id: number): void {
-    if (!hasMoved({ ...press, at })) return;
-    const [x, y] = [at.x - press.x, at.y - press.y];
+    if (!hasMoved(press)) return;
     this.#taps.forget();
     if (press.hit === null) {
       press.pans = true;
@@ -178,13 +190,9 @@ export class Input {
         return;
       }
       // Along the page's own scroll direction a finger scrolls it: the browser will say so.
-      const { quarterTurned } = this.#viewer.binding;
-      if (
-        press.kind === "touch" &&
-        Math.abs(quarterTurned ? x : y) > Math.abs(quarterTurned ? y : x)
-      )
-        return;
-      press.drag = this.#viewer.drags.grab(press.hit, { x, y });
+      const [across, down] = [press.to.x - press.from.x, press.to.y - press.from.y].map(Math.abs);
+      if (press.kind === "touch" && (this.#turnsAcross ? down > across : across > down)) return;
+      press.drag = this.#viewer.drags.grab(press.hit, { x: at.x - press.x, y: at.y - press.y });
       this.#isPeeking = false;
     }
     this.#canvas.style.cursor = "grabbing";
@@ -280,7 +288,8 @@ export class Input {
     const [id, at] = left;
     // The remaining finger continues to pan.
     if (this.#viewer.zoomLevel > 1) {
-      const press = { ...at, at, hit: null, drag: null, pans: true, kind: "touch" };
+      const from = inWindow(event);
+      const press = { ...at, at, from, to: from, hit: null, drag: null, pans: true, kind: "touch" };
       this.#presses.set(id, { ...press, flick: new Flick(), time: event.timeStamp });
     } else this.#viewer.handled = false;
     return true;
@@ -322,16 +331,32 @@ export class Input {
     this.#isPeeking = this.#viewer.commands.peek(lifts ? hit : null);
   }
 
-  /** Returns where a pointer is on the canvas, CSS pixels. */
-  #place(event: MouseEvent): Place {
-    const box = this.#canvas.getBoundingClientRect();
-    return { x: event.clientX - box.left, y: event.clientY - box.top };
+  /** Passes on a wheel: what it moves goes its way in the window, however the book lies there. */
+  #roll(event: WheelEvent): void {
+    const { plane } = this.#target;
+    this.#wheel.roll(event, this.#place(event), (x, y) =>
+      plane.fromClient(event.clientX - x, event.clientY - y),
+    );
+  }
+
+  /** Returns where a pointer is on the canvas, CSS pixels of its own: where it was while that is seen edge-on. */
+  #place({ clientX, clientY }: MouseEvent): Place {
+    this.#last = this.#target.plane.fromClient(clientX, clientY) ?? this.#last;
+    return this.#last;
   }
 }
 
+/** Returns where a pointer is in the window, CSS pixels. */
+function inWindow({ clientX, clientY }: MouseEvent): Place {
+  return { x: clientX, y: clientY };
+}
+
 /** Returns whether a press has moved so far that it is no tap. */
-function hasMoved({ x, y, at, kind }: Press): boolean {
-  return Math.hypot(at.x - x, at.y - y) > (kind === "mouse" ? dragStart.mouse : dragStart.other);
+function hasMoved({ from, to, kind }: Press): boolean {
+  return (
+    Math.hypot(to.x - from.x, to.y - from.y) >
+    (kind === "mouse" ? dragStart.mouse : dragStart.other)
+  );
 }
 
 /** Returns the side where a leaf was grabbed. */

@@ -46,8 +46,13 @@ export class Wheel {
     this.#target = target;
   }
 
-  /** Handles an event at a place on the canvas. An event that it uses does not scroll the page. */
-  roll(event: WheelEvent, at: Place): void {
+  /**
+   * Handles an event at a place on the canvas. An event that it uses does not scroll the page.
+   *
+   * @param back returns the place so many pixels of the window to the left and above; null if the
+   * book is seen edge-on
+   */
+  roll(event: WheelEvent, at: Place, back: (x: number, y: number) => Place | null): void {
     if (event.defaultPrevented) return;
     const { viewer, allows } = this.#target;
     const unit = event.deltaMode === 0 ? 1 : event.deltaMode === 1 ? line : 20 * line;
@@ -58,7 +63,7 @@ export class Wheel {
       const step = Math.min(Math.max(y, -mostZoomStep), mostZoomStep);
       viewer.zoom(viewer.zoomLevel * Math.exp(-zoomRate * step), at, at, seconds);
     } else if (viewer.zoomLevel > 1) {
-      viewer.zoom(viewer.zoomLevel, at, { x: at.x - x, y: at.y - y }, seconds);
+      viewer.zoom(viewer.zoomLevel, at, back(x, y) ?? at, seconds);
     } else if (!allows("wheel") || !this.#turn(event, x, y)) return;
     event.preventDefault();
   }
@@ -67,7 +72,10 @@ export class Wheel {
   #turn(event: WheelEvent, x: number, y: number): boolean {
     const isAcross = Math.abs(x) > Math.abs(y);
     if (!isAcross && scrolls(event)) return false;
-    const delta = isAcross ? x * forward(this.#target.viewer.binding) : y;
+    const { viewer, plane } = this.#target;
+    // A page that is mirrored or upside down still goes where the fingers do.
+    const along = plane.xAxis === "left" ? -x : x;
+    const delta = isAcross ? along * forward(viewer.binding) : y;
     const time = event.timeStamp;
     const isNotch = event.deltaMode !== 0 || Math.abs(delta) >= notch;
     if (time - this.#last > pause || delta * this.#sum < 0) {

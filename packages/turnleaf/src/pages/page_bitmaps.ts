@@ -81,8 +81,8 @@ const fitting = () => loadPart(import("./fit.ts"));
 export class PageBitmaps {
   readonly #source: PageSource;
   readonly #pool: PagePool;
-  readonly #leaf: PageSize;
-  readonly #aspect: number;
+  #leaf: PageSize;
+  #aspect: number;
   readonly #options: PageBitmapsOptions;
   #inSight: ReadonlySet<number> = new Set();
   readonly #standIns = new Map<string, HTMLCanvasElement>();
@@ -158,6 +158,15 @@ export class PageBitmaps {
       this.#places.delete(page);
       if (place !== wholeLeaf) this.#pool.renumber((index) => (index === page - 1 ? null : index));
     }
+  }
+
+  /** Drops every bitmap, as leaves have another size now, in the source's unit. */
+  measure(leaf: PageSize): void {
+    this.#leaf = leaf;
+    this.#aspect = leaf.width / leaf.height;
+    this.foldIn();
+    this.renumber(() => null);
+    this.#dropStandIns();
   }
 
   /**
@@ -315,6 +324,10 @@ export class PageBitmaps {
   close(): void {
     this.foldIn();
     this.#pool.close();
+    this.#dropStandIns();
+  }
+
+  #dropStandIns(): void {
     for (const canvas of this.#standIns.values()) this.#options.onDrop(canvas);
     this.#standIns.clear();
   }

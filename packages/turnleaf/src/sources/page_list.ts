@@ -65,6 +65,17 @@ export class PageList implements PageSource {
     for (const source of sources) this.#watchDrawings(source);
   }
 
+  outdate(index: number): void {
+    const entry = this.#entries[index];
+    entry?.source.outdate?.(entry.index);
+  }
+
+  watchSizes(listener: () => void): void {
+    for (const source of new Set(this.#entries.map((entry) => entry.source))) {
+      source.watchSizes?.(listener);
+    }
+  }
+
   element(index: number): HTMLElement | null {
     const entry = this.#entries[index];
     return entry?.source.element?.(entry.index) ?? null;

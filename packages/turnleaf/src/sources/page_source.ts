@@ -325,6 +325,13 @@ export interface PageSource {
    * drawn, with all else as it was.
    */
   watchDrawings?(listener: (index: number) => void): void;
+  /** Has page `index` (from 0) drawn as it looks now, though nothing has told the source of a change. */
+  outdate?(index: number): void;
+  /**
+   * Sets the listener for sizes that had to be guessed, as of elements that were hidden, and are
+   * known now. Sizes that are known already are reported at once.
+   */
+  watchSizes?(listener: () => void): void;
   /** What is read aloud of the book; absent if nothing is. */
   readonly narration?: Narration;
   /** Frees workers, files and memory. Drawing afterwards rejects. */

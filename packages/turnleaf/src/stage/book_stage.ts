@@ -116,6 +116,8 @@ export interface BookStage {
   rayAt(x: number, y: number): Ray;
   /** Returns where a point of book space is on the canvas, CSS pixels from its upper left corner. */
   project(point: Vec3): Place;
+  /** Returns where it would be if the book lay open, which may be shut. */
+  projectOpen(point: Vec3): Place;
   /**
    * Returns where a place on a face's bitmap, in fractions from its upper left
    * corner, is on the canvas, likewise.

@@ -10,7 +10,12 @@ test("a link to a note shows it over the page, by the keyboard too, and Escape c
     "<p>Between.</p>",
     '<aside id="n" epub:type="footnote">Said of it.</aside>',
   ];
+  // In a dialog of the web page's own, which Escape closes only where nothing of the book is open.
+  const dialog = document.createElement("dialog");
+  document.body.append(dialog);
+  dialog.showModal();
   const element = book(tinyEpub({ chapters }), { duration: "0" });
+  dialog.append(element);
   // Once every chapter is set, the links are made anew.
   await Promise.all([happens(element, "load"), happens(element, "pageschange")]);
   const root = element.shadowRoot as ShadowRoot;
@@ -29,13 +34,14 @@ test("a link to a note shows it over the page, by the keyboard too, and Escape c
   await userEvent.keyboard("{Escape}");
   await eventually(isOpen).toBe(false);
   expect(root.activeElement).toBe(link());
+  expect(dialog.open).toBe(true);
   // Its button turns to where it is printed.
   link()?.click();
   await eventually(isOpen).toBe(true);
   note.querySelector("button")?.click();
   expect(isOpen()).toBe(false);
   await eventually(() => element.page).toBeGreaterThan(1);
-  element.remove();
+  dialog.remove();
 });
 
 test("a link out of an EPUB is followed only after its address was shown", async () => {
@@ -68,3 +74,30 @@ test("a link out of an EPUB is followed only after its address was shown", async
   click.mockRestore();
   element.remove();
 });
+
+test.each(["", "zoom: 1.5", "rotate: 20deg; scale: 0.8", "scale: -1 1"])(
+  "a note stands beside its link where what is around the book says '%s'",
+  async (style) => {
+    const chapters = [
+      '<p>Text<a epub:type="noteref" href="c2.xhtml#n">1</a></p>',
+      '<aside id="n" epub:type="footnote">Said of it.</aside>',
+    ];
+    const element = book(tinyEpub({ chapters }), { duration: "0" });
+    const around = document.createElement("div");
+    around.style.cssText = `position: fixed; left: 60px; top: 40px; ${style}`;
+    document.body.append(around);
+    around.append(element);
+    await Promise.all([happens(element, "load"), happens(element, "pageschange")]);
+    const root = element.shadowRoot as ShadowRoot;
+    await eventually(() => root.querySelector(".text a[aria-haspopup]")).not.toBeNull();
+    const link = root.querySelector(".text a[aria-haspopup]") as HTMLAnchorElement;
+    link.click();
+    const [note, beside] = [root.querySelector(".note") as HTMLElement, link].map((at) =>
+      at.getBoundingClientRect(),
+    );
+    expect(note.top - beside.bottom).toBeCloseTo(8, 0);
+    expect(note.left).toBeLessThan(beside.right);
+    expect(note.right).toBeGreaterThan(beside.left);
+    around.remove();
+  },
+);

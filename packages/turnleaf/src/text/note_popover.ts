@@ -28,6 +28,8 @@ export class NotePopover {
       // The keys of the book are not those of the note.
       event.stopPropagation();
       if (event.key !== "Escape") return;
+      // It closes the note alone, and no dialog around the book.
+      event.preventDefault();
       this.hide();
       this.#link?.focus();
     });
@@ -58,7 +60,9 @@ export class NotePopover {
     const left = Math.max(Math.min(middle, innerWidth - width - gap), gap);
     const isBelow = beside.bottom + gap + height <= innerHeight;
     const top = isBelow ? beside.bottom + gap : Math.max(beside.top - gap - height, gap);
-    Object.assign(element.style, { left: `${left}px`, top: `${top}px` });
+    // No transformation reaches what lies over everything, but the `zoom` around it does.
+    const zoom = width / element.offsetWidth || 1;
+    Object.assign(element.style, { left: `${left / zoom}px`, top: `${top / zoom}px` });
     element.focus({ preventScroll: true });
   }
 

@@ -1,8 +1,10 @@
 /** The links of an open page as real ones, over their printed text. */
 
 import type { LinkTarget, PageLink, TextRun } from "../sources/page_source.ts";
+import { fractionBefore } from "./fitting.ts";
 import { NotePopover } from "./note_popover.ts";
 import type { FieldPlace } from "./page_fields.ts";
+import type { Point } from "./page_view.ts";
 import { layOver, placeIn } from "./run_place.ts";
 
 /** How links are followed. */
@@ -26,11 +28,12 @@ export function makeLinks(
   { goTo, leaving }: LinkActions,
   popover: NotePopover,
 ): FieldPlace[] {
+  const words = links.length > 0 ? wordsIn(runs) : [];
   return links.map((link) => {
     const { to } = link;
     const a = document.createElement("a");
     a.title = link.title || nameOf(to);
-    a.setAttribute("aria-label", link.title || textUnder(link, runs) || nameOf(to));
+    a.setAttribute("aria-label", link.title || textUnder(link, words) || nameOf(to));
     if ("page" in to) {
       a.href = `#page=${to.page}`;
       const { note } = link;
@@ -60,14 +63,42 @@ export function makeLinks(
   });
 }
 
-/** Returns the printed text under a link: the fraction of each level run that lies in it. */
-function textUnder(link: PageLink, runs: readonly TextRun[]): string {
-  const parts = runs.map((run) => {
-    const middle = run.y + run.height / 2;
-    if (run.angle !== 0 || middle < link.y || middle > link.y + link.height) return "";
-    const at = (x: number): number =>
-      Math.round(Math.min(Math.max((x - run.x) / run.width, 0), 1) * run.text.length);
-    return run.text.slice(at(link.x), at(link.x + link.width));
+/** A word of a page, or what lies between two, and where its middle is printed. */
+interface PrintedWord {
+  readonly text: string;
+  readonly middle: Point | null;
+}
+
+const wordsOf = new Intl.Segmenter(undefined, { granularity: "word" });
+
+/** Divides the text of a page into words, and what lies between them. */
+function wordsIn(runs: readonly TextRun[]): PrintedWord[] {
+  return runs.flatMap((run) => {
+    const place = placeIn(run, (x, y) => ({ x, y }));
+    const words = [...wordsOf.segment(run.text)].map(({ segment, index }) => {
+      const [from, to] = [index, index + segment.length].map((at) => fractionBefore(run, at));
+      const middle = (from + to) / 2;
+      return { text: segment, middle: run.vertical ? place(0.5, middle) : place(middle, 0.5) };
+    });
+    const last = words.at(-1);
+    return run.end && last ? [...words, { text: " ", middle: last.middle }] : words;
   });
-  return parts.join("").replace(/\s+/g, " ").trim();
+}
+
+/**
+ * Returns the printed text under a link: the words whose middle lies in it, whole, as boxes of links
+ * are drawn by hand and end within letters.
+ */
+function textUnder({ x, y, width, height }: PageLink, words: readonly PrintedWord[]): string {
+  const under = words.filter(
+    ({ middle }) =>
+      middle !== null &&
+      Math.abs(middle.x - x - width / 2) <= width / 2 &&
+      Math.abs(middle.y - y - height / 2) <= height / 2,
+  );
+  return under
+    .map(({ text }) => text)
+    .join("")
+    .replace(/\s+/g, " ")
+    .trim();
 }

@@ -10,6 +10,8 @@ export const textStyle: string = /* css */ `
   all: initial; display: block; position: absolute; inset: 0; pointer-events: none;
   font: 20px serif; line-height: 1; white-space: pre; color: transparent; text-size-adjust: none;
 }
+/* What lies on the page has the page's colours: a theme of high contrast would print the text over it. */
+.text, .mark { forced-color-adjust: none; }
 .text span, .text a, .field, .medium, .mark { position: absolute; left: 0; top: 0; transform-origin: 0 0; }
 .text span { z-index: 1; pointer-events: auto; cursor: text; user-select: text; -webkit-user-select: text; }
 .text.uncopied span { pointer-events: none; user-select: none; -webkit-user-select: none; }
@@ -26,6 +28,7 @@ export const textStyle: string = /* css */ `
 .medium button:disabled { opacity: 0.5; }
 .medium video { object-fit: contain; background: #000; }
 .print { mix-blend-mode: multiply; }
+.text ::selection { background: none; }
 .text span::selection { color: transparent; background: rgb(178 203 238 / 0.996); }
 .guard { position: absolute; inset: 0; pointer-events: auto; cursor: text; user-select: none; -webkit-user-select: none; }
 .note {

@@ -4,10 +4,11 @@
  */
 
 import { afterEach, beforeEach, expect, test } from "vitest";
-import { cdp, userEvent } from "vitest/browser";
+import { userEvent } from "vitest/browser";
 import type { TurnleafBook } from "../element.ts";
 import { book, happens, scans, settled } from "../for_tests/element_books.ts";
 import { eventually } from "../for_tests/eventually.ts";
+import { clickMouse, dragMouse, toolSession } from "../for_tests/real_mouse.ts";
 import { tinyPdf } from "../sources/tiny_pdf.ts";
 
 const fonts = "/Font << /F1 << /Type /Font /Subtype /Type1 /BaseFont /Helvetica >> >>";
@@ -118,16 +119,98 @@ test("a link of the book turns it", async () => {
   expect(box.left).toBeLessThan(print.left);
   expect(box.bottom).toBeGreaterThan(print.bottom);
   const changed = happens(element, "pagechange");
-  await clickMouse(box.left + box.width / 2, box.top + box.height / 2);
+  await clickMouse({ x: box.left + box.width / 2, y: box.top + box.height / 2 });
   await changed;
   expect(element.page).toBe(6);
+});
+
+test("a link is named by the whole words that are printed under it", async () => {
+  const loaded = happens(element, "load");
+  const text = line("Ill illicit WWW MMM", 100) + line("and more", 60);
+  const links = ["[40 95 88 115]", "[20 50 196 115]"].map(
+    (box) => `<< /Type /Annot /Subtype /Link /Rect ${box} /Dest [6 /Fit] >>`,
+  );
+  const bytes = tinyPdf({
+    pages: Array.from({ length: 8 }, () => text),
+    resources: `${fonts} >> /Annots [10 0 R 11 0 R] /Ignored <<`,
+    objects: links,
+  });
+  element.pages = new File([bytes], "whale.pdf");
+  await loaded;
+  const names = (): (string | null)[] =>
+    [...root().querySelectorAll(".text a")].slice(0, 2).map((a) => a.getAttribute("aria-label"));
+  await eventually(names).toEqual(["illicit", "Ill illicit WWW MMM and more"]);
+});
+
+test("a page that turns under a focused link gives the focus to the book, whose keys go on", async () => {
+  const anchor = root().querySelector("a") as HTMLAnchorElement;
+  anchor.focus();
+  await userEvent.keyboard("{ArrowRight}");
+  await eventually(() => element.page).toBe(4);
+  expect(document.activeElement).toBe(element);
+  expect(root().activeElement).toBe(root().querySelector(".frame"));
+  await userEvent.keyboard("{ArrowRight}");
+  await eventually(() => element.page).toBe(6);
+  // What else has taken the focus keeps it.
+  await element.goTo(2);
+  await eventually(() => root().querySelector("a")).not.toBeNull();
+  root().querySelector("a")?.focus();
+  const button = document.createElement("button");
+  document.body.append(button);
+  void element.next();
+  button.focus();
+  await settled(element);
+  expect(document.activeElement).toBe(button);
+  button.remove();
+});
+
+test("a zoom by key is announced", async () => {
+  element.lang = "en";
+  element.focus();
+  await userEvent.keyboard("+");
+  const said = root().querySelector(".live") as HTMLElement;
+  expect(said.textContent).toBe("150%");
+  await userEvent.keyboard("0");
+  expect(said.textContent).toBe("100%");
+});
+
+test("a theme of high contrast prints nothing over the page", async () => {
+  const media = (value: string) =>
+    toolSession().send("Emulation.setEmulatedMedia", {
+      features: [{ name: "forced-colors", value }],
+    });
+  element.setAttribute("controls", "");
+  const [span] = spans();
+  const range = document.createRange();
+  range.selectNodeContents(span);
+  getSelection()?.addRange(range);
+  await element.showHit((await element.search("Ishmael"))[0] ?? null);
+  await settled(element);
+  await eventually(() => root().querySelector(".mark")).not.toBeNull();
+  const colours = (): readonly string[] => {
+    const of = (at: Element, part?: string): CSSStyleDeclaration => getComputedStyle(at, part);
+    const mark = root().querySelector(".mark") as Element;
+    return [
+      of(spans()[0]).color,
+      of(spans()[0], "::selection").color,
+      of(spans()[0], "::selection").backgroundColor,
+      of(mark).backgroundColor,
+    ];
+  };
+  const before = colours();
+  await media("active");
+  expect(matchMedia("(forced-colors: active)").matches).toBe(true);
+  const active = colours();
+  await media("none");
+  expect(active).toEqual(before);
+  expect(before[0]).toBe("rgba(0, 0, 0, 0)");
 });
 
 test("the tree of accessibility has the pages in order, each with its text, and no picture", async () => {
   const canvas = root().querySelector("canvas") as HTMLCanvasElement;
   expect(canvas.ariaHidden).toBe("true");
   expect((root().querySelector(".text") as HTMLElement).lang).toBe("en-GB");
-  const { nodes } = (await session().send("Accessibility.getFullAXTree", {
+  const { nodes } = (await toolSession().send("Accessibility.getFullAXTree", {
     frameId: await frameId(),
   })) as AXTree;
   const byId = new Map(nodes.map((node) => [node.nodeId, node]));
@@ -171,19 +254,13 @@ interface AXTree {
   }[];
 }
 
-/** The part of the browser's own interface for tools that is used here. */
-interface Session {
-  send(method: string, parameters?: object): Promise<unknown>;
-}
-const session = (): Session => cdp() as unknown as Session;
-
 /** Returns this document's frame among those of the test's page. */
 async function frameId(): Promise<string> {
   interface Tree {
     readonly frame: { readonly id: string; readonly url: string };
     readonly childFrames?: readonly Tree[];
   }
-  const { frameTree } = (await session().send("Page.getFrameTree")) as { frameTree: Tree };
+  const { frameTree } = (await toolSession().send("Page.getFrameTree")) as { frameTree: Tree };
   const find = (tree: Tree): string | undefined =>
     tree.frame.url === location.href ? tree.frame.id : tree.childFrames?.map(find).find(Boolean);
   return find(frameTree) ?? frameTree.frame.id;
@@ -192,48 +269,6 @@ async function frameId(): Promise<string> {
 /** Returns where the middle of a box's left (0) or right (1) edge is. */
 function edgeOf({ left, width, top, height }: DOMRect, side: 0 | 1): { x: number; y: number } {
   return { x: left + (side === 0 ? 1 : width - 1), y: top + height / 2 };
-}
-
-/** Returns where this document lies on the outermost page, which the tools use. */
-function frame(): { x: number; y: number; scale: number } {
-  const box = frameElement?.getBoundingClientRect();
-  return { x: box?.left ?? 0, y: box?.top ?? 0, scale: box ? box.width / innerWidth : 1 };
-}
-
-/** Sends a real mouse event. */
-async function mouse(type: string, x: number, y: number, buttons: number): Promise<void> {
-  const { x: left, y: top, scale } = frame();
-  await session().send("Input.dispatchMouseEvent", {
-    type,
-    x: left + x * scale,
-    y: top + y * scale,
-    button: type === "mouseMoved" && buttons === 0 ? "none" : "left",
-    buttons,
-    clickCount: 1,
-  });
-}
-
-async function clickMouse(x: number, y: number): Promise<void> {
-  await mouse("mouseMoved", x, y, 0);
-  await mouse("mousePressed", x, y, 1);
-  await mouse("mouseReleased", x, y, 0);
-}
-
-async function dragMouse(
-  from: { x: number; y: number },
-  to: { x: number; y: number },
-): Promise<void> {
-  await mouse("mouseMoved", from.x, from.y, 0);
-  await mouse("mousePressed", from.x, from.y, 1);
-  for (let k = 1; k <= 8; k++) {
-    await mouse(
-      "mouseMoved",
-      from.x + ((to.x - from.x) * k) / 8,
-      from.y + ((to.y - from.y) * k) / 8,
-      1,
-    );
-  }
-  await mouse("mouseReleased", to.x, to.y, 0);
 }
 
 test("scans say what they show and what stands on them, from right to left too", async () => {

@@ -42,9 +42,9 @@ export interface Bindable {
     PageSource,
     "pageCount" | "direction" | "edge" | "layout" | "inSpread" | "kind"
   >;
-  /** A page's size in the source's unit, and its width over its height. */
-  readonly leaf: PageSize;
-  readonly aspect: number;
+  /** A page's size in the source's unit, and its width over its height: others once it is measured anew. */
+  leaf: PageSize;
+  aspect: number;
 }
 
 /** Where the pages lie, and the shape that the stage draws. */

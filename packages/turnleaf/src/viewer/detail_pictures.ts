@@ -8,14 +8,15 @@ import type { PageBitmaps } from "../pages/page_bitmaps.ts";
 import { closePicture } from "../pages/page_pool.ts";
 import type { PageBox, PagePicture, PageSource } from "../sources/page_source.ts";
 import type { BookStage } from "../stage/book_stage.ts";
+import type { Bindable } from "./bound_book.ts";
 import { acrossAt, isCoarse, type OpenPage } from "./face_textures.ts";
 
 /** What draws and shows sharper parts of pages. */
 export interface SharpnessParts {
   readonly source: PageSource;
   readonly stage: BookStage;
-  /** A leaf's width over its height. */
-  readonly aspect: number;
+  /** Has a leaf's width over its height, as it was measured last. */
+  readonly book: Pick<Bindable, "aspect">;
   /** Gives the place of a page on its leaf. */
   readonly pictures: Pick<PageBitmaps, "placeOf">;
   /** Called when something has arrived and a frame should be drawn. */
@@ -64,17 +65,17 @@ const strips = 40;
 export class DetailPictures {
   readonly #source: PageSource;
   readonly #stage: BookStage;
-  readonly #aspect: number;
+  readonly #book: Pick<Bindable, "aspect">;
   readonly #pictures: Pick<PageBitmaps, "placeOf">;
   readonly #arrived: () => void;
   readonly #shown = new Map<Face, Detail>();
   readonly #coming = new Map<Face, Detail>();
 
-  constructor({ source, stage, aspect, pictures, arrived }: SharpnessParts) {
+  constructor({ source, stage, book, pictures, arrived }: SharpnessParts) {
     this.#pictures = pictures;
     this.#source = source;
     this.#stage = stage;
-    this.#aspect = aspect;
+    this.#book = book;
     this.#arrived = arrived;
   }
 
@@ -127,7 +128,7 @@ export class DetailPictures {
     this.#abort(face);
     const drawing = new AbortController();
     const { across } = sighted;
-    const reach = reaching(sighted, this.#aspect);
+    const reach = reaching(sighted, this.#book.aspect);
     const detail: Detail = { page, across, ...reach, picture: null, drawing };
     this.#coming.set(face, detail);
     void this.#draw(face, detail);

@@ -64,6 +64,11 @@ export class Rebinder {
     return this.#mustBind || this.#changes.length > 0;
   }
 
+  /** Whether `bindAnew` will change the pages, whose numbers may be others then. */
+  get willRenumber(): boolean {
+    return this.#changes.length > 0;
+  }
+
   /** Changes options of the binding. Options left out stay as they were. */
   setOptions(changes: Partial<BindingOptions>): void {
     const before: BindingOptions = this.#options;

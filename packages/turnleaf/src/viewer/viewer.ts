@@ -7,7 +7,7 @@
 
 import { faceOf } from "../book/faces.ts";
 import type { Paper } from "../book/paper.ts";
-import { type Binding, clampSpread, pagesAt } from "../book/spreads.ts";
+import { type Binding, clampSpread, pageOf, pagesAt } from "../book/spreads.ts";
 import type { BookState, Turning } from "../book/turning.ts";
 import type { BookEngine } from "../engine/book_engine.ts";
 import type { ModelChoice } from "../leaf_models/model_choice.ts";
@@ -58,6 +58,8 @@ export class Viewer {
   readonly sheets: SheetCommands;
   readonly #options: ViewerOptions;
   readonly #stage: BookStage;
+  readonly #source: PageSource;
+  readonly #book: Bindable;
   readonly #camera: CameraMotion;
   readonly #bitmaps: PageBitmaps;
   readonly #crossFade: CrossFade;
@@ -97,6 +99,8 @@ export class Viewer {
     this.#options = options;
     this.#window = canvas.ownerDocument.defaultView ?? window;
     this.#stage = stage;
+    this.#source = source;
+    this.#book = book;
     this.#frameQuality = new FrameQuality(stage.isSoftware);
     this.#stage.onRestored = () => this.invalidate();
     this.#stage.onContextLost = () => options.onContextLost?.();
@@ -115,9 +119,8 @@ export class Viewer {
     });
     const arrived = (): void => this.invalidate();
     const failed = (error: unknown): void => options.onMissingPart?.(error);
-    const { aspect } = book;
     const pictures = this.#bitmaps;
-    this.#sharpness = new Sharpness({ source, stage, aspect, pictures, arrived, failed });
+    this.#sharpness = new Sharpness({ source, stage, book, pictures, arrived, failed });
     this.#foldOut = new FoldOut(this.#bitmaps, {
       unfolds: stage.unfolds,
       width: () => this.#pictureWidth,
@@ -213,6 +216,12 @@ export class Viewer {
     return fullness * pages;
   }
 
+  /** Width of that place in CSS pixels where a page is as large as its source says, whose unit counts as one. */
+  get placeWidth(): number {
+    const { width } = this.#book.leaf;
+    return this.#bound.shape.quarterTurned ? width : 2 * width;
+  }
+
   /** Where the book lies open and how it gets elsewhere; replaced with every binding. */
   get turning(): Turning {
     return this.#bound.turning;
@@ -234,8 +243,8 @@ export class Viewer {
   get bounds(): { readonly from: Place; readonly to: Place } {
     const { width, height, alone } = this.#bound.shape;
     const [left, right] = [alone === 1 ? 0 : -width, alone === -1 ? 0 : width];
-    const a = this.#stage.project([left, height, 0]);
-    const b = this.#stage.project([right, 0, 0]);
+    const a = this.#stage.projectOpen([left, height, 0]);
+    const b = this.#stage.projectOpen([right, 0, 0]);
     const [x, y] = [Math.min(a.x, b.x), Math.min(a.y, b.y)];
     return { from: { x, y }, to: { x: Math.max(a.x, b.x), y: Math.max(a.y, b.y) } };
   }
@@ -268,6 +277,20 @@ export class Viewer {
     const changed = this.#rebinder.change(change);
     this.#bindSoon();
     return changed;
+  }
+
+  /**
+   * Measures the pages, whose source knows only now how large they are. Resolves to a change for
+   * `changePages`, which gives the leaves that size. Rejects with a `BookError` if no page's size can
+   * be read, or with the signal's reason.
+   */
+  async measure(signal: AbortSignal): Promise<() => NewIndex> {
+    const leaf = await leafSize(this.#source, signal);
+    return () => {
+      Object.assign(this.#book, { leaf, aspect: leaf.width / leaf.height });
+      this.#bitmaps.measure(leaf);
+      return (index) => index;
+    };
   }
 
   /** Fits the book to the size of the canvas in CSS pixels. */
@@ -614,6 +637,8 @@ export class Viewer {
     this.#foldOut.close();
     this.#sharpness.close();
     const before = this.binding;
+    const page = pageOf(before, this.turning.spread);
+    const isRenumbered = this.#rebinder.willRenumber;
     this.#rebinder.bindAnew(this.#cssWidth, this.#cssHeight);
     this.#bound.drags.foldOut = this.#foldOut;
     this.sheets.bound();
@@ -621,6 +646,8 @@ export class Viewer {
     this.#stillHistory.forget();
     const { edge, layout } = this.binding;
     if (edge !== before.edge || layout !== before.layout) this.#options.onLayout?.();
+    const now = pageOf(this.binding, this.turning.spread);
+    if (now !== page && !isRenumbered) this.#options.onPage?.(page, now);
     this.#show();
   }
 

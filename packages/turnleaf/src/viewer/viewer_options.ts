@@ -73,6 +73,8 @@ export interface ViewerOptions extends Partial<BindingOptions> {
   readonly onMotion?: (pose: BookPose, seconds: number, moving: boolean) => void;
   /** The layout or the binding has changed. */
   readonly onLayout?: () => void;
+  /** Bound anew, the book at rest has another first visible page (from 1), of the same pages. */
+  readonly onPage?: (from: number, to: number) => void;
 }
 
 /** The default binding. */

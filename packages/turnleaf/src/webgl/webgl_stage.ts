@@ -22,7 +22,7 @@ import type {
 } from "../stage/book_stage.ts";
 import { overheadAt, type Zoom, ZoomState } from "../stage/zoom.ts";
 import { BeyondSpine } from "./beyond_spine.ts";
-import { fieldOfView, frameBook, halfSeen, sightOf } from "./camera.ts";
+import { type Framing, fieldOfView, frameBook, halfSeen, sightOf } from "./camera.ts";
 import { compiledAhead } from "./compiled_ahead.ts";
 import { ContextWatch, openContext } from "./context.ts";
 import { DrawnBook } from "./drawn_book.ts";
@@ -219,7 +219,20 @@ export class WebGLStage implements BookStage {
   }
 
   project(point: Vec3): Place {
-    const seen = new Vector3(...point).project(this.#camera);
+    return this.#seenBy(this.#camera, point);
+  }
+
+  projectOpen(point: Vec3): Place {
+    const { framing } = this.#book;
+    if (framing.closedRight === 0 && framing.closedLeft === 0) return this.project(point);
+    const camera = this.#camera.clone();
+    const open = { closedRight: 0, closedLeft: 0, middle: 0, boardEdges: [], flapEdge: [] };
+    this.#place(camera, open, this.#zooming.zoom);
+    return this.#seenBy(camera, point);
+  }
+
+  #seenBy(camera: PerspectiveCamera, point: Vec3): Place {
+    const seen = new Vector3(...point).project(camera);
     return { x: (0.5 + 0.5 * seen.x) * this.#width, y: (0.5 - 0.5 * seen.y) * this.#height };
   }
 
@@ -268,10 +281,18 @@ export class WebGLStage implements BookStage {
   }
 
   #aim(zoom: Zoom = this.#zooming.zoom): void {
+    const { framing } = this.#book;
+    const distance = this.#place(this.#camera, framing, zoom);
+    this.#materials.pixel.value = (2 * halfSeen * distance) / (zoom.level * this.#height);
+    const { closedRight, closedLeft } = framing;
+    this.#beyond.aim(this.#shape, Math.min(1, closedRight + closedLeft), this.#camera);
+  }
+
+  /** Places a camera that frames the book. Returns its distance from it, metres. */
+  #place(camera: PerspectiveCamera, framing: Framing, zoom: Zoom): number {
     const { level } = zoom;
     const [aspect, overhead] = [this.#aspect, overheadAt(level)];
-    const view = frameBook(this.#shape, this.#book.framing, aspect, this.#shape.rim, overhead);
-    const camera = this.#camera;
+    const view = frameBook(this.#shape, framing, aspect, this.#shape.rim, overhead);
     camera.matrix.makeBasis(
       new Vector3(...view.right),
       new Vector3(...view.up),
@@ -281,14 +302,12 @@ export class WebGLStage implements BookStage {
     camera.matrixWorldNeedsUpdate = true;
     camera.updateMatrixWorld(true);
     const size = 2 * Math.max(this.#shape.width, this.#shape.height);
-    this.#materials.pixel.value = (2 * halfSeen * view.distance) / (level * this.#height);
     camera.near = Math.max(0.02, view.distance - size);
     camera.far = view.distance + 2 * size;
     const [x, y] = this.#zooming.show(zoom);
     const [left, top] = [(x - 0.5 / level) * aspect, y - 0.5 / level];
     camera.setViewOffset(aspect, 1, left, top, aspect / level, 1 / level);
-    const { closedRight, closedLeft } = this.#book.framing;
-    this.#beyond.aim(this.#shape, Math.min(1, closedRight + closedLeft), camera);
+    return view.distance;
   }
 }
 

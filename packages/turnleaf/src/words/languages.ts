@@ -84,6 +84,12 @@ export function number(tag: string, n: number): string {
   return attempt(() => new Intl.NumberFormat(tag).format(n)) ?? String(n);
 }
 
+/** Returns a ratio in percent as a language writes it, such as "150%". */
+export function percent(tag: string, ratio: number): string {
+  const format = () => new Intl.NumberFormat(tag, { style: "percent" }).format(ratio);
+  return attempt(format) ?? `${Math.round(100 * ratio)}%`;
+}
+
 /** Returns words in a list, such as "iv and v". */
 export function list(tag: string, words: readonly string[]): string {
   return attempt(() => new Intl.ListFormat(tag).format(words)) ?? words.join(", ");

@@ -52,6 +52,11 @@ export class HtmlPages implements PageSource {
   #timer: ReturnType<typeof setTimeout> | undefined;
   #onDrawing: ((index: number) => void) | null = null;
   #onPages: ((change: () => NewIndex) => void) | null = null;
+  #onSizes: (() => void) | null = null;
+  /** What goes on once pages are seen that were hidden. */
+  readonly #awaited = new Set<() => void>();
+  /** Pages whose size was asked for while they were hidden. */
+  readonly #guessed = new Set<HTMLElement>();
   #isChangeDue = false;
 
   /**
@@ -95,8 +100,12 @@ export class HtmlPages implements PageSource {
   }
 
   async size(index: number): Promise<PageSize> {
-    const { offsetWidth, offsetHeight } = this.#page(index);
-    if (offsetWidth === 0 || offsetHeight === 0) return usualSize;
+    const page = this.#page(index);
+    const { offsetWidth, offsetHeight } = page;
+    if (offsetWidth === 0 || offsetHeight === 0) {
+      this.#guessed.add(page);
+      return usualSize;
+    }
     return {
       width: Math.min(offsetWidth, limits.pageSide),
       height: Math.min(offsetHeight, limits.pageSide),
@@ -117,6 +126,7 @@ export class HtmlPages implements PageSource {
     signal.throwIfAborted();
     const page = this.#page(index);
     const name = `Page ${index + 1} of ${this.title}`;
+    await this.#shown(page, signal);
     try {
       const { svg, size } = await this.#copyOf(page, name);
       signal.throwIfAborted();
@@ -153,14 +163,24 @@ export class HtmlPages implements PageSource {
     this.#onDrawing = listener;
   }
 
+  outdate(index: number): void {
+    this.#copies.delete(this.#page(index));
+  }
+
+  watchSizes(listener: () => void): void {
+    this.#onSizes = listener;
+    for (const page of this.#guessed) this.#resized(page);
+  }
+
   close(): void {
     this.#ended.abort();
+    this.#resume();
     this.#content.disconnect();
     this.#sizes.disconnect();
     for (const page of [...this.#watched.keys()]) this.#unwatch(page);
     clearTimeout(this.#timer);
     this.#copies.clear();
-    this.#onDrawing = this.#onPages = null;
+    this.#onDrawing = this.#onPages = this.#onSizes = null;
   }
 
   #page(index: number): HTMLElement {
@@ -175,7 +195,8 @@ export class HtmlPages implements PageSource {
   }
 
   #copyOf(page: HTMLElement, name: string): Promise<FrozenCopy> {
-    const known = this.#copies.get(page);
+    // What is painted on a canvas may be other than a moment ago.
+    const known = page.querySelector("canvas") ? undefined : this.#copies.get(page);
     // Of a page that is not laid out there is nothing to keep.
     if (page.offsetWidth === 0) throw new BookError(`${name} is not laid out; show the book.`);
     const copy = known ?? freeze(page, name, this.#pixels);
@@ -185,6 +206,27 @@ export class HtmlPages implements PageSource {
     const [oldest] = this.#copies.keys();
     if (this.#copies.size > mostCopies && oldest) this.#copies.delete(oldest);
     return copy;
+  }
+
+  /**
+   * Resolves once a page that is hidden with what is around it, a tab or a dialog, is seen: at once
+   * for others, and where the page itself is hidden. Rejects with the signal's reason.
+   */
+  async #shown(page: HTMLElement, signal: AbortSignal): Promise<void> {
+    const isHidden = (): boolean => page.offsetWidth === 0 && !this.#ended.signal.aborted;
+    const view = page.ownerDocument.defaultView ?? window;
+    while (isHidden() && view.getComputedStyle(page).display !== "none") {
+      await new Promise<void>((resolve, reject) => {
+        this.#awaited.add(resolve);
+        signal.addEventListener("abort", () => reject(signal.reason), { once: true });
+      });
+    }
+  }
+
+  #resume(): void {
+    const awaited = [...this.#awaited];
+    this.#awaited.clear();
+    for (const resume of awaited) resume();
   }
 
   /** Follows everything about a page that its picture shows. */
@@ -219,6 +261,14 @@ export class HtmlPages implements PageSource {
   }
 
   #resized(page: HTMLElement): void {
+    // Hidden, with a tab or a dialog, it is as large as it will be seen again.
+    if (page.offsetWidth === 0 || page.offsetHeight === 0) return;
+    this.#resume();
+    if (this.#guessed.has(page)) {
+      // They are seen together.
+      this.#guessed.clear();
+      this.#onSizes?.();
+    }
     const size = `${page.offsetWidth} ${page.offsetHeight}`;
     const before = this.#seen.get(page);
     this.#seen.set(page, size);
