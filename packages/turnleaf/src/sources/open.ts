@@ -1,6 +1,7 @@
 import { fileAt, fileIn } from "./book_file.ts";
 import { cleanText, nameOfUrl } from "./book_text.ts";
 import { openFile, openImages, prepareFor } from "./formats.ts";
+import { handedOut } from "./handed_out.ts";
 import { type Bytes, blobOf, elementsOf, filesOf, wrongKind } from "./input_values.ts";
 import { loadPart } from "./load_part.ts";
 import { type Manifest, type ManifestPage, parseManifest } from "./manifest.ts";
@@ -58,6 +59,12 @@ export async function openSource(input: BookInput, options: OpenOptions = {}): P
   if (!Array.isArray(files ?? input) && !isManifest(input)) throw wrongKind(input);
   const manifest = parseManifest(files ?? input, baseOf(options), options.name ?? "This book");
   return await openImages(manifest);
+}
+
+/** As `openSource`, for a program, which may put a Proxy around what it gets. */
+export async function openHandedOut(input: BookInput, options: OpenOptions): Promise<PageSource> {
+  const source = await openSource(input, options);
+  return source === input ? source : handedOut(source);
 }
 
 function isSource(value: unknown): value is PageSource {
