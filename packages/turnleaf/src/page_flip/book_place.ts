@@ -6,6 +6,7 @@
  */
 
 import type { TurnleafBook } from "../index.ts";
+import { LentStyle } from "./lent_style.ts";
 import type { FlipSetting } from "./settings.ts";
 
 /** Where a book is in its host, CSS pixels. */
@@ -28,19 +29,12 @@ const firstScale = { x: 1 / 0.9, y: 1 / 0.81 };
 /** How much of the shadow around a resting book is seen, CSS pixels. */
 const restingMargin = 6;
 
-/** Gives an element the attribute `style` that it had; null for none. */
-export function restoreStyle(element: HTMLElement, style: string | null): void {
-  // Chromium keeps an empty attribute if properties were set and it is removed at once.
-  element.setAttribute("style", style ?? "");
-  if (style === null) element.removeAttribute("style");
-}
-
 /** The boxes of one book in its host. */
 export class BookPlace {
   private readonly host: HTMLElement;
   private readonly book: TurnleafBook;
   private readonly settings: FlipSetting;
-  private readonly hostStyle: string | null;
+  private readonly lent: LentStyle;
   private readonly wrapper: HTMLElement = document.createElement("div");
   private readonly block: HTMLElement = document.createElement("div");
   private readonly resized: ResizeObserver;
@@ -54,7 +48,7 @@ export class BookPlace {
     this.host = host;
     this.book = book;
     this.settings = settings;
-    this.hostStyle = host.getAttribute("style");
+    this.lent = new LentStyle(host);
     this.wrapper.className = "stf__wrapper";
     this.block.className = "stf__block";
     this.block.style.cssText = "position: absolute; inset: 0; box-sizing: border-box";
@@ -73,8 +67,12 @@ export class BookPlace {
   remove(): void {
     this.resized.disconnect();
     this.wrapper.remove();
-    this.host.classList.remove("stf__parent");
-    restoreStyle(this.host, this.hostStyle);
+    this.lent.restore();
+  }
+
+  /** Whether the book is in its host still: others may have emptied that. */
+  get isInHost(): boolean {
+    return this.host.contains(this.book);
   }
 
   /** One page or two, as the host's width is now. */
@@ -183,19 +181,18 @@ export class BookPlace {
   private styleHost(): void {
     const { minWidth, minHeight, maxWidth, usePortrait, autoSize } = this.settings;
     const { mobileScrollSupport, useMouseEvents } = this.settings;
-    const { style, classList } = this.host;
-    classList.add("stf__parent");
-    style.position = "relative";
-    style.display = "block";
-    style.boxSizing = "border-box";
-    style.minWidth = `${minWidth * (usePortrait ? 1 : 2)}px`;
-    style.minHeight = `${minHeight}px`;
-    style.touchAction = mobileScrollSupport ? "pan-y" : "none";
-    // A mouse drags pages wherever it takes them, also by their text.
-    if (useMouseEvents) style.userSelect = "none";
-    if (!autoSize) return;
-    style.width = "100%";
-    style.maxWidth = `${2 * maxWidth}px`;
+    this.lent.wear(["stf__parent"]);
+    this.lent.style({
+      position: "relative",
+      display: "block",
+      "box-sizing": "border-box",
+      "min-width": `${minWidth * (usePortrait ? 1 : 2)}px`,
+      "min-height": `${minHeight}px`,
+      "touch-action": mobileScrollSupport ? "pan-y" : "none",
+      // A mouse drags pages wherever it takes them, also by their text.
+      ...(useMouseEvents && { "user-select": "none" }),
+      ...(autoSize && { width: "100%", "max-width": `${2 * maxWidth}px` }),
+    });
   }
 
   private styleWrapper(orientation: Orientation): void {

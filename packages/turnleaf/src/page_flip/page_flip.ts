@@ -1,10 +1,11 @@
 /** A book with the interface of page-flip 2.0.7, shown by `<turnleaf-book>`. */
 
 import type { BookInput, BookState, TurnleafBook } from "../index.ts";
-import { BookPlace, type Orientation, type PageRect, restoreStyle } from "./book_place.ts";
+import { BookPlace, type Orientation, type PageRect } from "./book_place.ts";
 import { EventListeners, type WidgetEvent } from "./event_listeners.ts";
+import { LentStyle } from "./lent_style.ts";
 import { completeSettings, type FlipSetting } from "./settings.ts";
-import { hardPages, spreadsOf, spreadWith } from "./spreads.ts";
+import { hardPages, numbersOf, sideOf, spreadsOf, spreadWith } from "./spreads.ts";
 
 /** page-flip's words for what happens to a book. */
 export type FlippingState = "user_fold" | "fold_corner" | "flipping" | "read";
@@ -47,10 +48,11 @@ interface ShownPages {
   readonly index: number;
   /** The elements that are its pages; none of images. */
   readonly items: HTMLElement[];
-  readonly hardPages: TurnleafBook["hardPages"];
+  /** Those of board. */
+  readonly hard: ReadonlySet<number>;
 }
 
-const noPages: ShownPages = { count: 0, index: 0, items: [], hardPages: "" };
+const noPages: ShownPages = { count: 0, index: 0, items: [], hard: new Set() };
 
 /** A book with the interface of page-flip: its pages are images, or elements of the web page. */
 export class PageFlip {
@@ -60,8 +62,9 @@ export class PageFlip {
   private book: TurnleafBook | null = null;
   private place: BookPlace | null = null;
   private items: HTMLElement[] = [];
-  /** What each item's style said before it became a page. */
-  private itemStyles: (string | null)[] = [];
+  /** What each item has on it as a page. */
+  private lent: LentStyle[] = [];
+  private hard: ReadonlySet<number> = noPages.hard;
   private count = 0;
   private index = 0;
   /** The pages that are shown while others are loaded, and after these could not be. */
@@ -138,12 +141,11 @@ export class PageFlip {
     this.isOpen = false;
     this.shown = null;
     this.waiting = [];
-    const book = this.book;
+    this.giveBack(this.host);
+    this.book?.remove();
     this.book = null;
-    book?.remove();
     this.place?.remove();
     this.place = null;
-    this.giveBack(this.host);
     this.count = 0;
   }
 
@@ -261,6 +263,7 @@ export class PageFlip {
     items: HTMLElement[],
     event: "init" | "update",
   ): void {
+    if (this.place?.isInHost === false) this.destroy();
     const book = this.book ?? this.open();
     if (count === 0) {
       this.clear();
@@ -274,7 +277,7 @@ export class PageFlip {
         count: this.count,
         index: this.index,
         items: this.items,
-        hardPages: book.hardPages,
+        hard: this.hard,
       };
     }
     this.isOpen = false;
@@ -284,7 +287,10 @@ export class PageFlip {
     this.take(items);
     const asked = event === "init" ? this.settings.startPage : this.index;
     const isHard = Array.from({ length: count }, (_, k) => items[k]?.dataset.density === "hard");
-    book.hardPages = hardPages(isHard, this.settings.showCover);
+    this.hard = hardPages(isHard, this.settings.showCover);
+    book.setAttribute("hard-pages", numbersOf(this.hard));
+    // One page is the back, as in page-flip.
+    book.setAttribute("offset", this.settings.showCover && count > 1 ? "1" : "0");
     this.fit();
     this.index = 0;
     const failed = (): void => {
@@ -321,12 +327,13 @@ export class PageFlip {
     this.waiting = [];
     this.isOpen = this.shown !== null && book.pageCount > 0;
     this.giveBack(this.isOpen ? null : this.host);
-    const { count, index, items, hardPages } = (this.isOpen && this.shown) || noPages;
+    const { count, index, items, hard } = (this.isOpen && this.shown) || noPages;
     this.shown = null;
     this.count = count;
     this.index = index;
     this.take(items);
-    book.hardPages = hardPages;
+    this.hard = hard;
+    book.setAttribute("hard-pages", numbersOf(hard));
     this.fit();
   }
 
@@ -340,7 +347,7 @@ export class PageFlip {
     const attributes = {
       binding: "left",
       cover: "none",
-      offset: settings.showCover ? "1" : "0",
+      camera: "overhead",
       duration: String(settings.flippingTime),
       shadows: settings.drawShadow ? String(settings.maxShadowOpacity) : "0",
       "swipe-distance": String(settings.swipeDistance),
@@ -405,9 +412,13 @@ export class PageFlip {
     if (!place) return;
     const isChanged = place.fit();
     const { pageWidth, height } = place.rect;
-    for (const { style } of this.items) {
-      style.width = `${pageWidth}px`;
-      style.height = `${height}px`;
+    const spreads = this.spreads;
+    const isPortrait = place.orientation === "portrait";
+    for (const [k, lent] of this.lent.entries()) {
+      const side = isPortrait ? "right" : sideOf(spreads, k);
+      lent.wear(["stf__item", `--${this.hard.has(k) ? "hard" : "soft"}`, `--${side}`, "--simple"]);
+      // Shown, also where a style sheet of page-flip hides what it does not show itself.
+      lent.style({ display: "block", width: `${pageWidth}px`, height: `${height}px` });
     }
     if (isChanged) this.emit("changeOrientation", place.orientation);
   }
@@ -435,16 +446,20 @@ export class PageFlip {
   /** Keeps elements that become pages. */
   private take(items: HTMLElement[]): void {
     this.items = items;
-    this.itemStyles = items.map((item) => item.getAttribute("style"));
+    this.lent = items.map((item) => new LentStyle(item));
   }
 
-  /** Makes elements that are pages no longer look as they did; puts them into the host if there is one. */
+  /**
+   * Makes elements that are pages no longer look as they did; puts them into the host if there is
+   * one, but for those that others have taken away, alone or with the book.
+   */
   private giveBack(host: HTMLElement | null): void {
     for (const [k, item] of this.items.entries()) {
-      restoreStyle(item, this.itemStyles[k] ?? null);
-      host?.append(item);
+      this.lent[k]?.restore();
+      if (this.place?.isInHost && this.book?.contains(item)) host?.append(item);
     }
     this.items = [];
+    this.lent = [];
   }
 }
 

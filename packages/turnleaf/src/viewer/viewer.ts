@@ -234,10 +234,14 @@ export class Viewer {
   get bounds(): { readonly from: Place; readonly to: Place } {
     const { width, height, alone } = this.#bound.shape;
     const [left, right] = [alone === 1 ? 0 : -width, alone === -1 ? 0 : width];
-    const a = this.#stage.project([left, height, 0]);
-    const b = this.#stage.project([right, 0, 0]);
-    const [x, y] = [Math.min(a.x, b.x), Math.min(a.y, b.y)];
-    return { from: { x, y }, to: { x: Math.max(a.x, b.x), y: Math.max(a.y, b.y) } };
+    const corners = [left, right].flatMap((x) =>
+      [0, height].map((y) => this.#stage.project([x, y, 0])),
+    );
+    const [xs, ys] = [corners.map(({ x }) => x), corners.map(({ y }) => y)];
+    return {
+      from: { x: Math.min(...xs), y: Math.min(...ys) },
+      to: { x: Math.max(...xs), y: Math.max(...ys) },
+    };
   }
 
   /** The drags of pointers on it; replaced with every binding. */

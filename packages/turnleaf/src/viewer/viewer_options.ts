@@ -80,6 +80,7 @@ export const defaultBinding: BindingOptions = {
   cover: "hard",
   cloth: "#6a2a26",
   shadows: 1,
+  camera: "reader",
   binding: "auto",
   layout: "auto",
   offset: 1,
