@@ -44,6 +44,8 @@ export function bindingOptionsOf(element: Element): Omit<BindingOptions, "shifts
 
 /** The possible effects of a change of an attribute. */
 export interface AttributeEffects {
+  /** The language is another. */
+  speak(): void;
   /** Another book: it opens at its beginning. */
   open(): void;
   /** The same book, bound again, where it lay. */
@@ -76,6 +78,7 @@ export interface AttributeEffects {
 export const attributes: Readonly<
   Record<string, (effects: AttributeEffects, value: string | null) => void>
 > = {
+  lang: (effects) => effects.speak(),
   src: (effects) => effects.open(),
   page: (effects, value) => effects.setPage(value),
   ...Object.fromEntries(

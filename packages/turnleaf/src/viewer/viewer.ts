@@ -104,12 +104,13 @@ export class Viewer {
     this.#camera = new CameraMotion(stage);
     this.#bitmaps = new PageBitmaps(source, book.leaf, {
       slowText: options.slowText,
+      failureText: options.failureText,
       onArrive: (page) => {
         this.#showArrived();
-        const sentence = this.#bitmaps.failure(page);
-        if (sentence === null || this.#destroyed) return;
+        const error = this.#bitmaps.failure(page);
+        if (error === null || this.#destroyed) return;
         const isOpen = pagesAt(this.binding, this.turning.spread).includes(page);
-        options.onFailure(page, sentence, isOpen);
+        options.onFailure(page, error, isOpen);
       },
       onDrop: (picture) => this.#stage.forget(picture),
     });

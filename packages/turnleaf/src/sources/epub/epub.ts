@@ -49,7 +49,10 @@ export async function openEpub(
     return await FlowSource.open(await readEpub(archive, file, name), typography);
   } catch (error) {
     archive.close();
-    throw unknownFailure(`${name} is damaged or no EPUB`, error, "repair it or get it again");
+    throw unknownFailure(`${name} is damaged or no EPUB`, error, "repair it or get it again", {
+      code: "damaged",
+      source: name,
+    });
   }
 }
 
@@ -81,6 +84,7 @@ async function readEpub(archive: Archive, file: Blob, name: string): Promise<Flo
   if (decoder.isProtected(resources.spine.map(({ idref }) => items.get(idref)?.href ?? ""))) {
     throw new BookError(
       `${name} is protected against copying (DRM); open it in its shop's reader.`,
+      { code: "copyProtected", source: name },
     );
   }
   const manifest = { items, fallbacks };
@@ -124,7 +128,8 @@ async function readEpub(archive: Archive, file: Blob, name: string): Promise<Flo
     ...rest.filter((one) => !one.isAside),
     ...rest.filter((one) => one.isAside),
   ];
-  if (ordered.length === 0) throw new BookError(`${name} has no chapters; get it again.`);
+  if (ordered.length === 0)
+    throw new BookError(`${name} has no chapters; get it again.`, { code: "empty", source: name });
   const rolls = rollsOf(ordered);
   const sections = ordered.map((chapter, index): FlowSection => {
     const { href, isFixed, side } = chapter;
@@ -151,7 +156,10 @@ async function readEpub(archive: Archive, file: Blob, name: string): Promise<Flo
   const readMedium = async (path: string, kind: RegExp): Promise<Blob> => {
     const type = byPath.get(path)?.mediaType ?? "";
     if (!kind.test(type)) {
-      throw new BookError(`${path} in ${name} is no recording; get the book again.`);
+      throw new BookError(`${path} in ${name} is no recording; get the book again.`, {
+        code: "damaged",
+        source: path,
+      });
     }
     return new Blob([await archive.read(path)], { type });
   };
