@@ -1,6 +1,6 @@
 import { addLanguage } from "turnleaf";
 
-// The element speaks English and Chinese; a language is added whole, before it is shown.
+// The texts of a language, before it is shown: those here take the place of the ones built in.
 addLanguage("de", {
   opening: "Das Buch wird geöffnet …",
   pageOpen: "Seite {pages} von {n}",

@@ -75,7 +75,7 @@ const viewer = defineConfig({
         // asked for later.
         {
           name: "open",
-          test: /\/src\/sources\/(open|formats|book_file|fetch_bytes|sniff|manifest\w*|page_list|shared_tasks|trusted_script)\.ts/,
+          test: /\/src\/sources\/(open|formats|book_file|fetch_bytes|handed_out|sniff|manifest\w*|page_list|shared_tasks|trusted_script)\.ts/,
         },
       ],
     },

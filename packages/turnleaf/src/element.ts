@@ -24,6 +24,7 @@ import {
 } from "./element/attributes.ts";
 import { BookLifecycle, type OpenBook, pdfWorkerOf } from "./element/book_lifecycle.ts";
 import type { TurnDetail } from "./element/events.ts";
+import { failureDetail, sentenceOf } from "./element/failure_detail.ts";
 import { placeOf } from "./element/fold_lists.ts";
 import type { PageChanges } from "./element/page_changes.ts";
 import type { PageLists } from "./element/page_lists.ts";
@@ -33,14 +34,13 @@ import { openPages, ShadowTree } from "./element/shadow_tree.ts";
 import { SoundAndHaptics } from "./element/sound_and_haptics.ts";
 import type { TornPages } from "./element/torn_pages.ts";
 import { typographyOf } from "./element/typography.ts";
-import { nameAndMessage } from "./sources/failures.ts";
 import { pagesIn } from "./sources/html/child_pages.ts";
 import { loadPart } from "./sources/load_part.ts";
 import type { BookInput } from "./sources/open.ts";
 import type { PageList } from "./sources/page_list.ts";
 import { BookError, type NewIndex, type Typography } from "./sources/page_source.ts";
 import type { Viewer, ViewerOptions, Zoom } from "./viewer/viewer.ts";
-import { elementTexts, fill, languageOf, percent } from "./words/languages.ts";
+import { elementTexts, fill, languageOf, loadLanguage, percent } from "./words/languages.ts";
 
 /** Duration of a zoom by command, seconds. */
 const zoomSeconds = 0.25;
@@ -66,7 +66,9 @@ export class TurnleafBook extends ReaderElement {
 
   readonly #tree = new ShadowTree();
   readonly #life = new BookLifecycle(this, this.#tree.stage, {
-    prepare: () => this.#keepPlace(),
+    prepare: async () => {
+      await Promise.all([this.#keepPlace(), loadLanguage(languageOf(this))]);
+    },
     restore: (source, src) => this.#restore(source, src),
     plane: this.#tree.plane,
     replacing: () => {
@@ -119,6 +121,8 @@ export class TurnleafBook extends ReaderElement {
   #justSet: number | null = null;
   /** The page of the last `pagechange`, until a page is requested. */
   #reported: number | null = null;
+  /** What is said while no book is open: why not. */
+  #status: "missing" | "opening" | null = null;
   /** The state of the last `statechange`. */
   #state: BookState = "resting";
   /** Whether the element is in a document. */
@@ -535,6 +539,7 @@ export class TurnleafBook extends ReaderElement {
     this.#connected = true;
     this.connectReader();
     this.#updateControls();
+    void this.#speak();
     this.#children.observe(this, { childList: true });
     this.#reopen();
     // Pages that are still being parsed would come one by one.
@@ -571,6 +576,7 @@ export class TurnleafBook extends ReaderElement {
   }
 
   readonly #effects: AttributeEffects = {
+    speak: () => void this.#speak(),
     open: () => {
       if (this.#input === null) this.#openAnew();
     },
@@ -697,12 +703,26 @@ export class TurnleafBook extends ReaderElement {
     this.#reopen();
   }
 
+  /** Says whether a book opens, or is missing, until one is open. */
+  #sayStatus(): void {
+    if (this.#status === null) return;
+    const text = elementTexts(languageOf(this))[this.#status];
+    this.#tree.say(text, "status", this.#life.book !== null);
+  }
+
+  /** Says what is said now in the element's language, once that is loaded. */
+  async #speak(): Promise<void> {
+    await loadLanguage(languageOf(this));
+    this.#sayStatus();
+    this.#describe();
+  }
+
   #reopen(): void {
     // The parser's attributes come one by one before the element is connected: one book, not four.
     if (!this.#connected) return;
     const input = this.#input ?? (this.src || this.#childPages());
-    const { missing, opening } = elementTexts(languageOf(this));
-    this.#tree.say(input === "" ? missing : opening, "status", this.#life.book !== null);
+    this.#status = input === "" ? "missing" : "opening";
+    this.#sayStatus();
     if (input === "") this.#life.close();
     else this.#life.open(input, this.src);
     this.#updateState();
@@ -752,9 +772,11 @@ export class TurnleafBook extends ReaderElement {
       onStart: (low, high, forward) => this.#started(low, high, forward),
       onRest: (from, to) => this.#rested(from, to),
       slowText: (label) => fill(elementTexts(languageOf(this)).slowPage ?? "", { label }),
-      onFailure: (page, message, isOpen) => {
-        if (isOpen) this.#tree.announce(message);
-        this.emit("pageerror", { page, message });
+      failureText: (error, page) => sentenceOf(error, languageOf(this), page),
+      onFailure: (page, error, isOpen) => {
+        const detail = failureDetail(error, languageOf(this), page);
+        if (isOpen) this.#tree.announce(detail.message);
+        this.emit("pageerror", { ...detail, page });
       },
       onLayout: () => this.#laidOut(),
       onPage: (from, to) => this.#pageChanged(from, to, from < to ? "forward" : "backward"),
@@ -786,6 +808,7 @@ export class TurnleafBook extends ReaderElement {
     if (this.#left && !isElsewhere) viewer.view = this.#left.view;
     this.#left = null;
     this.#reported = null;
+    this.#status = null;
     this.#tree.say("");
     this.#tree.fit(viewer);
     this.#describe();
@@ -916,17 +939,22 @@ export class TurnleafBook extends ReaderElement {
   }
 
   #fail(error: unknown): void {
-    const { notOpened } = elementTexts(languageOf(this));
-    const message =
-      error instanceof BookError ? error.message : `${notOpened} (${nameAndMessage(error)})`;
-    this.#tree.say(message, "alert", this.#life.book !== null);
+    const detail = failureDetail(error, languageOf(this));
+    this.#status = null;
+    this.#tree.say(detail.message, "alert", this.#life.book !== null);
     this.#asked.failed();
     this.#updateState();
-    this.emit("error", { message });
+    this.emit("error", detail);
   }
 
   /** Reports that an optional part of the open book is missing. */
   #reportMissingPart(error: unknown): void {
-    if (error instanceof Error) this.emit("error", { message: error.message });
+    if (!(error instanceof Error)) return;
+    const isSentence = error instanceof BookError;
+    const { message } = error;
+    this.emit(
+      "error",
+      isSentence ? failureDetail(error, languageOf(this)) : { message, code: "failed" },
+    );
   }
 }

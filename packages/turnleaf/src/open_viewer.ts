@@ -118,6 +118,7 @@ function loadEngine(engineSrc: string): Promise<WebAssembly.Module> {
     if (engineSrc === "") throw error;
     throw new BookError(
       `The book cannot be shown, as the engine cannot be loaded; engine-src names ${engineSrc}: correct it, or allow it in connect-src of this page's Content-Security-Policy.`,
+      { code: "partMissing" },
     );
   });
   // It is awaited later.

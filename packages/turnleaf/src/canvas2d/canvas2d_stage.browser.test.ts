@@ -16,6 +16,7 @@ const shapeOf = (quarterTurned: boolean): BookShape => ({
   alone: 0,
   cloth: "#552222",
   shadows: 1,
+  fromAbove: false,
   kind: "typeset",
 });
 

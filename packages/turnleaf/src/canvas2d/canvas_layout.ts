@@ -53,7 +53,7 @@ export function layOut(shape: BookShape, pose: BookPose, width: number, height: 
   const spine = alone === 0 ? 0.5 * out : sliver * shape.width;
   const onRight = (margin: Margins) => fit(-spine, reach, margin);
   const onLeft = (margin: Margins) => fit(-reach, spine, margin);
-  const [right, left] = shutness(pose);
+  const [right, left] = shape.fromAbove ? [0, 0] : shutness(pose);
   const open =
     alone === 0 ? fit(-reach, reach, openMargins) : (alone === 1 ? onRight : onLeft)(openMargins);
   const mix = (of: (layout: Layout) => number): number =>

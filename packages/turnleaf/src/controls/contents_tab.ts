@@ -44,7 +44,7 @@ export class ContentsTab implements PanelTab {
     try {
       entries = await this.#book.outline();
     } catch (error) {
-      if (error instanceof Error) sentence = error.message;
+      if (error instanceof Error) sentence = this.#wording.sentence(error);
     }
     // Another book may be open by now.
     if (this.#asked !== asked) return;

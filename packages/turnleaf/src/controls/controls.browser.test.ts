@@ -9,7 +9,6 @@ import { eventually } from "../for_tests/eventually.ts";
 import { addFakeBook } from "../for_tests/fake_book.ts";
 import { addLanguage } from "../words/languages.ts";
 import { askPassword } from "./password_dialog.ts";
-import { en } from "./texts_en.ts";
 
 afterEach(() => document.body.replaceChildren());
 
@@ -468,27 +467,14 @@ test("it speaks Chinese, and what it is taught", async () => {
   expect(root.querySelector("[part=slider]")?.getAttribute("aria-valuetext")).toBe(
     "页码 iv，第 4 页，共 30 页",
   );
-  addLanguage("ar", {
-    ...en,
-    toolbar: "القارئ",
-    opening: "",
-    pageOpen: "",
-    pagesOpen: "",
-    back: "",
-    notOpened: "",
-    missing: "",
-    pageNamed: "",
-    slowPage: "",
-    leaving: "",
-    leave: "",
-  });
+  addLanguage("ar", { contents: "فهرس الكتاب" });
   book.lang = "ar";
   book.dir = "rtl";
   await eventually(() => root.querySelector("[role=toolbar]")?.ariaLabel).toBe("القارئ");
   // The toolbar begins at the right, and its arrows follow.
-  named(root, "Contents").focus();
+  named(root, "فهرس الكتاب").focus();
   await userEvent.keyboard("{ArrowLeft}");
-  expect(active(root)).toBe("Thumbnails");
+  expect(active(root)).toBe("مصغّرات الصفحات");
   // An unknown language, and an invalid one.
   book.lang = "xx-not a language";
   await eventually(() => root.querySelector("[role=toolbar]")?.ariaLabel).toBe("Reader");

@@ -1,7 +1,7 @@
 /** The reader's controls around a book: toolbar, side panel, slider, keys. */
 
 import { addStyle } from "../element/shadow_tree.ts";
-import { languageOf } from "../words/languages.ts";
+import { languageOf, loadLanguage } from "../words/languages.ts";
 import { actionsOf, type Tab, zoomBy } from "./actions.ts";
 import { Bar } from "./bar.ts";
 import type { ControlledBook, FoundPlace } from "./book.ts";
@@ -68,15 +68,21 @@ export function addControls<Hit extends FoundPlace>(
   let remove = build(book, frame, stage);
   const language = (): string => `${languageOf(book)} ${getComputedStyle(book).direction}`;
   let spoken = language();
+  let isRemoved = false;
   // Another language changes every text.
   const observer = new MutationObserver(() => {
     if (language() === spoken) return;
-    spoken = language();
-    remove();
-    remove = build(book, frame, stage);
+    const asked = language();
+    spoken = asked;
+    void loadLanguage(languageOf(book)).then(() => {
+      if (isRemoved || spoken !== asked) return;
+      remove();
+      remove = build(book, frame, stage);
+    });
   });
   observer.observe(book, { attributeFilter: ["lang", "dir"] });
   return () => {
+    isRemoved = true;
     observer.disconnect();
     remove();
     removeStyle();

@@ -1,6 +1,7 @@
 /** The reader's controls, loaded when they are first shown. */
 
 import { loadPart } from "../sources/load_part.ts";
+import { languageOf, loadLanguage } from "../words/languages.ts";
 import type { ControlledBook, FoundPlace } from "./book.ts";
 
 /** Shows and hides the controls of one element. */
@@ -40,7 +41,10 @@ export class ControlsLoader {
     isWrong: boolean,
     signal: AbortSignal,
   ): Promise<string | null> {
-    const { askPassword } = await loadPart(import("./controls.ts"));
+    const [{ askPassword }] = await Promise.all([
+      loadPart(import("./controls.ts")),
+      loadLanguage(languageOf(book)),
+    ]);
     return await askPassword(book, isWrong, signal);
   }
 
@@ -49,7 +53,10 @@ export class ControlsLoader {
     frame: HTMLElement,
     stage: HTMLElement,
   ): Promise<void> {
-    const { addControls } = await loadPart(import("./controls.ts"));
+    const [{ addControls }] = await Promise.all([
+      loadPart(import("./controls.ts")),
+      loadLanguage(languageOf(book)),
+    ]);
     if (this.#wanted && this.#remove === null) this.#remove = addControls(book, frame, stage);
   }
 }

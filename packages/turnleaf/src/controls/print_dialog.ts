@@ -73,7 +73,7 @@ export function askPrint(book: ControlledBook, wording: Wording, host: Node): vo
       (error: unknown) => {
         go.disabled = false;
         progress.hidden = true;
-        status.textContent = error instanceof Error ? error.message : "";
+        status.textContent = error instanceof Error ? wording.sentence(error) : "";
       },
     );
   });

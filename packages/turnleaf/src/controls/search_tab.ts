@@ -92,7 +92,8 @@ export class SearchTab<Hit extends FoundPlace> implements PanelTab {
       this.#list(0);
     } catch (error) {
       if (search.signal.aborted) return;
-      this.#status.textContent = error instanceof Error ? error.message : texts.nothingFound;
+      this.#status.textContent =
+        error instanceof Error ? this.#wording.sentence(error) : texts.nothingFound;
     }
   }
 

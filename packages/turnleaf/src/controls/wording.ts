@@ -1,10 +1,11 @@
 /** A language as the controls use it. */
 
+import { sentenceOf } from "../element/failure_detail.ts";
+import { BookError } from "../sources/page_source.ts";
 import { elementTexts, fill, list, number, textsFor } from "../words/languages.ts";
 import { plural } from "../words/plural.ts";
 import type { ControlTexts, Plural } from "../words/texts.ts";
 import { en } from "./texts_en.ts";
-import { zh } from "./texts_zh.ts";
 
 /** The texts of the controls, and how numbers are written. */
 export interface Wording {
@@ -14,16 +15,19 @@ export interface Wording {
   number(n: number): string;
   list(words: readonly string[]): string;
   plural(forms: Plural, n: number): string;
+  /** Returns the sentence for an error. */
+  sentence(error: Error): string;
 }
 
 /** Returns the controls' texts in a language, English if it is unknown. */
 export function wordingFor(tag: string): Wording {
   return {
-    texts: textsFor(tag, { en, zh }),
+    texts: textsFor(tag, en),
     pageNamed: elementTexts(tag).pageNamed,
     number: (n) => number(tag, n),
     list: (words) => list(tag, words),
     plural: (forms, n) => plural(tag, forms, n),
+    sentence: (error) => (error instanceof BookError ? sentenceOf(error, tag) : error.message),
   };
 }
 

@@ -1,10 +1,10 @@
 /** The attributes of `<turnleaf-book>`: their meaning, and the effect of a change. */
 
-import type { LayoutOptions } from "../book/layout.ts";
 import { readStocks } from "../book/leaf_stocks.ts";
 import { isStock, type Paper } from "../book/paper.ts";
 import { type Stock, type TearLine, tearLines } from "../engine/shapes.ts";
 import type { Gesture } from "../input/target.ts";
+import type { BindingOptions } from "../viewer/bound_book.ts";
 import { typographyAttributes } from "./typography.ts";
 
 /** The attributes of the binding. */
@@ -12,6 +12,7 @@ export const bindingAttributes: readonly string[] = [
   "cover",
   "cloth",
   "shadows",
+  "camera",
   "binding",
   "layout",
   "offset",
@@ -22,17 +23,17 @@ export const bindingAttributes: readonly string[] = [
 const covers = ["hard", "soft", "none"] as const;
 const bindings = ["auto", "left", "right", "top", "bottom"] as const;
 const layouts = ["auto", "spread", "single"] as const;
+const cameras = ["reader", "overhead"] as const;
 
 /** Returns the options in an element's attributes; an invalid value counts as missing. */
-export function bindingOptionsOf(
-  element: Element,
-): Omit<LayoutOptions, "shifts"> & { cloth: string; shadows: number } {
+export function bindingOptionsOf(element: Element): Omit<BindingOptions, "shifts"> {
   const word = <W extends string>(name: string, words: readonly W[]): W =>
     words.find((known) => known === element.getAttribute(name)) ?? words[0];
   return {
     cover: word("cover", covers),
     cloth: element.getAttribute("cloth") ?? "#6a2a26",
     shadows: numberIn(element, "shadows", 0, 1) ?? 1,
+    camera: word("camera", cameras),
     binding: word("binding", bindings),
     layout: word("layout", layouts),
     offset: element.getAttribute("offset") === "0" ? 0 : 1,
@@ -43,6 +44,8 @@ export function bindingOptionsOf(
 
 /** The possible effects of a change of an attribute. */
 export interface AttributeEffects {
+  /** The language is another. */
+  speak(): void;
   /** Another book: it opens at its beginning. */
   open(): void;
   /** The same book, bound again, where it lay. */
@@ -75,6 +78,7 @@ export interface AttributeEffects {
 export const attributes: Readonly<
   Record<string, (effects: AttributeEffects, value: string | null) => void>
 > = {
+  lang: (effects) => effects.speak(),
   src: (effects) => effects.open(),
   page: (effects, value) => effects.setPage(value),
   ...Object.fromEntries(

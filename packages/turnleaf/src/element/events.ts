@@ -4,6 +4,7 @@ import type { DogEar } from "../book/dog_ears.ts";
 import type { PageFold } from "../book/page_folds.ts";
 import type { Edge, Layout } from "../book/spreads.ts";
 import type { BookState } from "../book/turning.ts";
+import type { BookErrorCode } from "../sources/page_source.ts";
 
 /** A turn from one page to another, in page numbers from 1. */
 export interface TurnDetail {
@@ -13,6 +14,20 @@ export interface TurnDetail {
   readonly to: number;
   /** The direction of reading. */
   readonly direction: "forward" | "backward";
+}
+
+/** What could not be done. */
+export interface FailureDetail {
+  /** A sentence that gives the reason and says what to do, in the element's language. */
+  readonly message: string;
+  /** What kind of error it is. */
+  readonly code: BookErrorCode;
+  /** What the server responded, such as 404, if that is the error. */
+  readonly status?: number | undefined;
+  /** The page that it is about, from 1, if it is about one. */
+  readonly page?: number | undefined;
+  /** The book, file or address that it is about, if that is known. */
+  readonly source?: string | undefined;
 }
 
 /** The events of `<turnleaf-book>` by name, besides those of every element. */
@@ -60,12 +75,12 @@ export interface TurnleafEventMap {
    * A page (from 1) could not be drawn; the sentence, which stands in its
    * place, gives the reason. The other pages are shown.
    */
-  pageerror: CustomEvent<{ page: number; message: string }>;
+  pageerror: CustomEvent<FailureDetail & { readonly page: number }>;
   /**
    * The book could not be opened or read aloud, or an optional part of the
    * viewer could not be loaded; the sentence says which.
    */
-  error: CustomEvent<{ message: string }>;
+  error: CustomEvent<FailureDetail>;
 }
 
 type AnyEvents = Omit<HTMLElementEventMap, keyof TurnleafEventMap> & TurnleafEventMap;

@@ -57,7 +57,9 @@ export class FilmRecorder {
       globalThis.MediaRecorder && types.find((type) => MediaRecorder.isTypeSupported(type));
     const shown = source();
     if (!type || !shown?.captureStream) {
-      throw new BookError("This browser cannot record a film; use a newer one.");
+      throw new BookError("This browser cannot record a film; use a newer one.", {
+        code: "misused",
+      });
     }
     this.#source = source;
     this.#type = type;
@@ -97,7 +99,7 @@ export class FilmRecorder {
 
   #fail(sentence: string): void {
     this.#isOver = true;
-    this.#ended.reject(new BookError(sentence));
+    this.#ended.reject(new BookError(sentence, { code: "misused" }));
   }
 
   #begin(): MediaRecorder {

@@ -25,13 +25,13 @@ export async function foldAlong(
 ): Promise<readonly PageFold[] | null> {
   if (asked.page > viewer.binding.pageCount) return null;
   const [fold] = cleanFolds([{ ...asked, angle: asked.angle === 0 ? 1 : asked.angle }]);
-  if (fold === undefined) throw new BookError(noFold);
+  if (fold === undefined) throw new BookError(noFold, { code: "misused" });
   const spine = spineOf(viewer.binding, fold.page);
   if (spine === "board") return null;
-  if (meetsSpine(fold, spine)) throw new BookError(atSpine);
+  if (meetsSpine(fold, spine)) throw new BookError(atSpine, { code: "misused" });
   const folds = cleanFolds([...before, { ...fold, angle: asked.angle }]);
   const found = await viewer.sheets.fold([...dogEars, ...folds], true);
   if (!found) return null;
-  if (!folds.every((one) => found.includes(one))) throw new BookError(tooNear);
+  if (!folds.every((one) => found.includes(one))) throw new BookError(tooNear, { code: "misused" });
   return folds;
 }

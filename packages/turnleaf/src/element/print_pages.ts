@@ -19,10 +19,13 @@ export async function printPages(source: PageSource, options: PrintOptions): Pro
   if (!(first <= last)) {
     throw new BookError(
       `There are no pages ${from} to ${to} to print; the book has ${source.pageCount}.`,
+      { code: "noPage" },
     );
   }
   if (last - first >= mostPrinted) {
-    throw new BookError(`${mostPrinted} pages can be printed at once; print fewer.`);
+    throw new BookError(`${mostPrinted} pages can be printed at once; print fewer.`, {
+      code: "tooLarge",
+    });
   }
   const signal = options.signal ?? new AbortController().signal;
   const urls: string[] = [];
@@ -46,7 +49,7 @@ export async function printPages(source: PageSource, options: PrintOptions): Pro
       await image.decode().catch((cause) => {
         const sentence =
           "The book cannot be printed; this page's Content-Security-Policy may not allow blob: in img-src.";
-        throw new BookError(sentence, { cause });
+        throw new BookError(sentence, { code: "blocked", source: source.title, cause });
       });
       signal.throwIfAborted();
     }
@@ -96,7 +99,9 @@ async function encode(picture: PagePicture): Promise<Blob> {
   );
   canvas.width = 0;
   if (blob === null)
-    throw new BookError("There is no memory left to print with; print fewer pages.");
+    throw new BookError("There is no memory left to print with; print fewer pages.", {
+      code: "tooLarge",
+    });
   return blob;
 }
 

@@ -19,8 +19,10 @@ import {
   type PagePicture,
 } from "../sources/page_source.ts";
 import type { SearchHit } from "../text/searching.ts";
+import { languageOf } from "../words/languages.ts";
 import { bindingOptionsOf } from "./attributes.ts";
 import type { OpenBook } from "./book_lifecycle.ts";
+import { failureDetail } from "./failure_detail.ts";
 import type { FilmRecorder, RecordOptions } from "./film_recorder.ts";
 import { cleanDogEars, cleanFolds, withDogEars } from "./fold_lists.ts";
 import { emptyLists, movedLists, type PageLists } from "./page_lists.ts";
@@ -515,9 +517,12 @@ export abstract class ReaderElement extends ReflectingElement {
     const { source } = this;
     if (!source?.narration || this.#reading) return;
     this.#reading = new Reading(this, source.narration, source.language);
-    await this.#reading.run(() => {
-      this.#reading = null;
-    });
+    await this.#reading.run(
+      () => {
+        this.#reading = null;
+      },
+      (error) => this.emit("error", failureDetail(error, languageOf(this))),
+    );
   }
 
   /** Stops reading aloud. */
@@ -543,7 +548,9 @@ export abstract class ReaderElement extends ReflectingElement {
   async drawPage(page: number, width: number, signal?: AbortSignal): Promise<PagePicture> {
     const { source } = this;
     if (!source || !(page >= 1 && page <= source.pageCount)) {
-      throw new BookError(`There is no page ${page} to draw; open a book that has it.`);
+      throw new BookError(`There is no page ${page} to draw; open a book that has it.`, {
+        code: "noPage",
+      });
     }
     const across = Math.min(width, widestDrawn);
     return await source.draw(Math.round(page) - 1, across, signal ?? new AbortController().signal);
@@ -594,7 +601,7 @@ export abstract class ReaderElement extends ReflectingElement {
       const sentence = book
         ? "A film is recorded already."
         : "There is no book to record; open one.";
-      throw new BookError(sentence);
+      throw new BookError(sentence, { code: "misused" });
     }
     const film = new FilmRecorder(() => this.book?.canvas, options);
     this.#film = film;

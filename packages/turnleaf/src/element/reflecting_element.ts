@@ -272,6 +272,22 @@ export class ReflectingElement extends Base {
   }
 
   /**
+   * From where the book is seen: by a `reader`, who sits before it and looks at the closed book
+   * from nearer and a little beside its spine; or from `overhead`, so that its pages are
+   * rectangles, and a closed book lies where its pages lie when it is open.
+   *
+   * @attribute camera
+   * @default reader
+   */
+  get camera(): Options["camera"] {
+    return bindingOptionsOf(this).camera;
+  }
+
+  set camera(camera: Options["camera"]) {
+    this.setAttribute("camera", camera);
+  }
+
+  /**
    * The gestures that act on the book, as a list: `drag` (a leaf is dragged or
    * flicked), `click` (a click at an edge or a corner turns), `corner` (a corner
    * lifts under a mouse), `wheel` (it turns), `zoom` (a pinch, a double tap, the

@@ -21,6 +21,7 @@ const attributeProps = [
   "pageColours",
   "cloth",
   "shadows",
+  "camera",
   "gestures",
   "swipeDistance",
   "binding",

@@ -73,32 +73,32 @@ function multiply(
 
 /** Converts frames of a size to coefficients, and back. */
 export class PolynomialBasis {
-  readonly #columns: number;
-  readonly #rows: number;
-  readonly #alongU: Float64Array;
-  readonly #alongV: Float64Array;
+  private readonly columns: number;
+  private readonly rows: number;
+  private readonly alongU: Float64Array;
+  private readonly alongV: Float64Array;
   /** The same values as along v, those of one place side by side. */
-  readonly #acrossV: Float64Array;
-  readonly #half: Float64Array;
-  readonly #sums: Float64Array;
+  private readonly acrossV: Float64Array;
+  private readonly half: Float64Array;
+  private readonly sums: Float64Array;
   /** Indices of the coefficients in the order of the file, the smoothest first. */
   readonly order: Uint32Array;
 
   /** Throws a RangeError if places are too close to each other. */
   constructor(u: Float32Array, v: Float32Array) {
     const [columns, rows] = [u.length, v.length];
-    this.#columns = columns;
-    this.#rows = rows;
-    this.#alongU = polynomials(u);
-    this.#alongV = polynomials(v);
-    if (!this.#alongU.every(Number.isFinite) || !this.#alongV.every(Number.isFinite)) {
+    this.columns = columns;
+    this.rows = rows;
+    this.alongU = polynomials(u);
+    this.alongV = polynomials(v);
+    if (!this.alongU.every(Number.isFinite) || !this.alongV.every(Number.isFinite)) {
       throw new RangeError("The columns or rows are too near each other.");
     }
-    this.#acrossV = this.#alongV.map(
-      (_, at) => this.#alongV[(at % rows) * rows + Math.floor(at / rows)],
+    this.acrossV = this.alongV.map(
+      (_, at) => this.alongV[(at % rows) * rows + Math.floor(at / rows)],
     );
-    this.#half = new Float64Array(columns * rows);
-    this.#sums = new Float64Array(columns * rows);
+    this.half = new Float64Array(columns * rows);
+    this.sums = new Float64Array(columns * rows);
     const rank = (at: number) => (at % columns) * rows + Math.floor(at / columns) * columns;
     this.order = Uint32Array.from({ length: columns * rows }, (_, at) => at).sort(
       (a, b) => rank(a) - rank(b) || a - b,
@@ -110,25 +110,25 @@ export class PolynomialBasis {
    * place from `first` on.
    */
   write(coefficients: Float64Array, values: Float32Array, first: number): void {
-    const [columns, rows, half, sums] = [this.#columns, this.#rows, this.#half, this.#sums];
+    const [columns, rows, half, sums] = [this.columns, this.rows, this.half, this.sums];
     // High degrees along v are mostly 0 throughout.
     let degrees = coefficients.length;
     while (degrees > 0 && coefficients[degrees - 1] === 0) degrees--;
     degrees = Math.ceil(degrees / columns);
-    multiply(coefficients, columns, this.#alongU, degrees, columns, columns, half);
-    multiply(this.#acrossV, rows, half, rows, degrees, columns, sums);
+    multiply(coefficients, columns, this.alongU, degrees, columns, columns, half);
+    multiply(this.acrossV, rows, half, rows, degrees, columns, sums);
     for (let at = 0; at < sums.length; at++) values[first + 3 * at] = sums[at];
   }
 
   /** Returns the coefficients of values, every third from `axis` on. */
   coefficients(values: Float32Array, axis: number): Float64Array {
-    const [columns, rows, half] = [this.#columns, this.#rows, this.#half];
+    const [columns, rows, half] = [this.columns, this.rows, this.half];
     for (let row = 0; row < rows; row++) {
       for (let k = 0; k < columns; k++) {
         let coefficient = 0;
         for (let column = 0; column < columns; column++) {
           const value = values[3 * (row * columns + column) + axis];
-          coefficient += value * this.#alongU[k * columns + column];
+          coefficient += value * this.alongU[k * columns + column];
         }
         half[row * columns + k] = coefficient;
       }
@@ -136,7 +136,7 @@ export class PolynomialBasis {
     const coefficients = new Float64Array(columns * rows);
     for (let k = 0; k < rows; k++) {
       for (let row = 0; row < rows; row++) {
-        const alongV = this.#alongV[k * rows + row];
+        const alongV = this.alongV[k * rows + row];
         for (let column = 0; column < columns; column++) {
           coefficients[k * columns + column] += half[row * columns + column] * alongV;
         }

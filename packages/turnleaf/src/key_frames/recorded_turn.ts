@@ -41,41 +41,41 @@ const sameRatio = 0.005;
  * x across the spine to the right, y along it to the head, z up from the table.
  */
 export class RecordedTurn {
-  readonly #record: TurnRecord;
-  readonly #way: Playback;
-  readonly #first: number;
-  readonly #length: number;
+  private readonly record: TurnRecord;
+  private readonly way: Playback;
+  private readonly first: number;
+  private readonly length: number;
 
   /** @internal */
   constructor(
     record: TurnRecord,
     way: Playback = { pace: 1, isBackward: false, isMirrored: false, scale: 1 },
   ) {
-    this.#record = record;
-    this.#way = way;
+    this.record = record;
+    this.way = way;
     const { times } = record;
-    this.#first = times[0];
-    this.#length = times[times.length - 1] - times[0];
+    this.first = times[0];
+    this.length = times[times.length - 1] - times[0];
   }
 
   /** Columns of points, from the spine. */
   get columns(): number {
-    return this.#record.u.length;
+    return this.record.u.length;
   }
 
   /** Rows of points, from the foot. */
   get rows(): number {
-    return this.#record.v.length;
+    return this.record.v.length;
   }
 
   /** u of each column, from 0 at the spine to 1. */
   get u(): Float32Array {
-    return this.#record.u;
+    return this.record.u;
   }
 
   /** v of each row, from 0 at the foot to 1. */
   get v(): Float32Array {
-    return this.#record.v;
+    return this.record.v;
   }
 
   /**
@@ -83,44 +83,44 @@ export class RecordedTurn {
    * it is a grid's at `u` and `v`. `splitMesh` returns the vertices to be drawn of it.
    */
   get creased(): CreasedMesh | undefined {
-    return this.#record.creased;
+    return this.record.creased;
   }
 
   /** Width of the leaf, metres. */
   get width(): number {
-    return this.#record.width * this.#way.scale;
+    return this.record.width * this.way.scale;
   }
 
   /** Height of the leaf, metres. */
   get height(): number {
-    return this.#record.height * this.#way.scale;
+    return this.record.height * this.way.scale;
   }
 
   /** The model that was recorded. */
   get model(): TurnRecord["model"] {
-    return this.#record.model;
+    return this.record.model;
   }
 
   /** Maximum distance of the replay from the original, over the width; NaN if unknown. */
   get error(): number {
-    return this.#record.error;
+    return this.record.error;
   }
 
   /** Number of key frames. */
   get frames(): number {
-    return this.#record.times.length;
+    return this.record.times.length;
   }
 
   /** Its duration, seconds. */
   get duration(): number {
-    return this.#length / this.#way.pace;
+    return this.length / this.way.pace;
   }
 
   /** Times of the key frames, seconds from 0 to the duration. */
   get times(): Float64Array {
-    const { isBackward, pace } = this.#way;
-    const times = Float64Array.from(this.#record.times, (time) =>
-      isBackward ? this.#length - (time - this.#first) : time - this.#first,
+    const { isBackward, pace } = this.way;
+    const times = Float64Array.from(this.record.times, (time) =>
+      isBackward ? this.length - (time - this.first) : time - this.first,
     );
     return (isBackward ? times.reverse() : times).map((time) => time / pace);
   }
@@ -133,13 +133,13 @@ export class RecordedTurn {
    * @throws RangeError if it has another length
    */
   sample(time: number, out: Float32Array): void {
-    const { times, positions } = this.#record;
-    const { isBackward, isMirrored, pace, scale } = this.#way;
+    const { times, positions } = this.record;
+    const { isBackward, isMirrored, pace, scale } = this.way;
     if (out.length !== 3 * this.columns * this.rows) {
       throw new RangeError(`A frame of this turn takes ${3 * this.columns * this.rows} floats.`);
     }
-    const passed = Math.min(Math.max(time * pace, 0), this.#length) || 0;
-    const at = this.#first + (isBackward ? this.#length - passed : passed);
+    const passed = Math.min(Math.max(time * pace, 0), this.length) || 0;
+    const at = this.first + (isBackward ? this.length - passed : passed);
     blend(mixAt(times, at), positions, out);
     if (scale !== 1) for (let i = 0; i < out.length; i++) out[i] *= scale;
     if (isMirrored) for (let i = 0; i < out.length; i += 3) out[i] = -out[i];
@@ -147,7 +147,7 @@ export class RecordedTurn {
 
   /** Returns the same turn from its end to its beginning. */
   reversed(): RecordedTurn {
-    return this.#as({ isBackward: !this.#way.isBackward });
+    return this.variant({ isBackward: !this.way.isBackward });
   }
 
   /**
@@ -155,7 +155,7 @@ export class RecordedTurn {
    * from right to left.
    */
   mirrored(): RecordedTurn {
-    return this.#as({ isMirrored: !this.#way.isMirrored });
+    return this.variant({ isMirrored: !this.way.isMirrored });
   }
 
   /**
@@ -168,7 +168,7 @@ export class RecordedTurn {
     if (!(factor > 0 && factor < Number.POSITIVE_INFINITY)) {
       throw new RangeError("A turn is played faster by a factor above 0.");
     }
-    return this.#as({ pace: this.#way.pace * factor });
+    return this.variant({ pace: this.way.pace * factor });
   }
 
   /**
@@ -185,11 +185,11 @@ export class RecordedTurn {
         `This turn is of a leaf of ${own}; a leaf of another ratio needs another recording.`,
       );
     }
-    return this.#as({ scale: (this.#way.scale * width) / this.width });
+    return this.variant({ scale: (this.way.scale * width) / this.width });
   }
 
-  #as(way: Partial<Playback>): RecordedTurn {
-    return new RecordedTurn(this.#record, { ...this.#way, ...way });
+  private variant(way: Partial<Playback>): RecordedTurn {
+    return new RecordedTurn(this.record, { ...this.way, ...way });
   }
 }
 

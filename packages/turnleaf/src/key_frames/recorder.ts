@@ -57,23 +57,23 @@ const firstQuantum = (most: number): number => Math.fround(4 * most);
  * ```
  */
 export class TurnRecorder {
-  readonly #leaf: RecordedLeaf;
-  readonly #u: Float32Array;
-  readonly #v: Float32Array;
-  readonly #basis: PolynomialBasis;
-  readonly #times: number[] = [];
-  readonly #frames: Float32Array[] = [];
+  private readonly leaf: RecordedLeaf;
+  private readonly u: Float32Array;
+  private readonly v: Float32Array;
+  private readonly basis: PolynomialBasis;
+  private readonly times: number[] = [];
+  private readonly frames: Float32Array[] = [];
 
   /** @throws RangeError if the size, `u`, `v` or the mesh are invalid */
   constructor(leaf: RecordedLeaf) {
-    this.#leaf = leaf;
-    this.#u = placesOf(leaf.u);
-    this.#v = placesOf(leaf.v);
+    this.leaf = leaf;
+    this.u = placesOf(leaf.u);
+    this.v = placesOf(leaf.v);
     if (!(leaf.width > 0 && leaf.height > 0 && leaf.width < 1e6 && leaf.height < 1e6)) {
       throw new RangeError("A leaf's width and height are above 0.");
     }
-    if (leaf.creased) requireMesh(leaf.creased, this.#u.length, this.#v.length);
-    this.#basis = new PolynomialBasis(this.#u, this.#v);
+    if (leaf.creased) requireMesh(leaf.creased, this.u.length, this.v.length);
+    this.basis = new PolynomialBasis(this.u, this.v);
   }
 
   /**
@@ -85,22 +85,22 @@ export class TurnRecorder {
    * numbers
    */
   add(time: number, positions: ArrayLike<number>): void {
-    const last = this.#times.at(-1);
+    const last = this.times.at(-1);
     // As stored in the file: two frames must not coincide.
     const at = Math.fround(time);
     if (!Number.isFinite(at) || (last !== undefined && at <= last)) {
       throw new RangeError("A frame is recorded after the one before.");
     }
-    const length = 3 * this.#u.length * this.#v.length;
+    const length = 3 * this.u.length * this.v.length;
     const frame = Float32Array.from(positions);
     if (frame.length !== length || !frame.every(Number.isFinite)) {
       throw new RangeError(`A frame of this leaf is ${length} finite numbers.`);
     }
-    if ((this.#times.length + 1) * (length / 3) > mostPoints) {
+    if ((this.times.length + 1) * (length / 3) > mostPoints) {
       throw new RangeError("The recording is too long; end it.");
     }
-    this.#times.push(at);
-    this.#frames.push(frame);
+    this.times.push(at);
+    this.frames.push(frame);
   }
 
   /**
@@ -111,26 +111,26 @@ export class TurnRecorder {
    * for it or so large that no file has it
    */
   finish(tolerance = 0.001): TurnFile {
-    if (this.#times.length === 0) throw new RangeError("Nothing was recorded.");
+    if (this.times.length === 0) throw new RangeError("Nothing was recorded.");
     if (!(tolerance > 0)) throw new RangeError("The tolerance is above 0.");
     // In single precision, as the engine's encoder has it.
-    const most = Math.fround(Math.fround(tolerance) * Math.fround(this.#leaf.width));
+    const most = Math.fround(Math.fround(tolerance) * Math.fround(this.leaf.width));
     if (!(firstQuantum(most) < mostQuantum)) throw new RangeError("The tolerance is too large.");
-    const { quantum, multiples, rounded } = this.#round(most);
-    const { keys, error } = chooseKeys(this.#times, this.#frames, rounded, most);
+    const { quantum, multiples, rounded } = this.round(most);
+    const { keys, error } = chooseKeys(this.times, this.frames, rounded, most);
     const kept = keys.flatMap((key) => multiples.slice(3 * key, 3 * key + 3));
-    const times = keys.map((key) => this.#times[key]);
-    const bytes = this.#write(times, kept, quantum, error / this.#leaf.width);
-    return { bytes, error: error / this.#leaf.width, frames: keys.length };
+    const times = keys.map((key) => this.times[key]);
+    const bytes = this.write(times, kept, quantum, error / this.leaf.width);
+    return { bytes, error: error / this.leaf.width, frames: keys.length };
   }
 
   /** Finds the coarsest quantum whose rounding moves no point farther than allowed. */
-  #round(most: number) {
-    const length = 3 * this.#u.length * this.#v.length;
-    const coefficients = this.#frames.flatMap((frame) =>
-      [0, 1, 2].map((axis) => this.#basis.coefficients(frame, axis)),
+  private round(most: number) {
+    const length = 3 * this.u.length * this.v.length;
+    const coefficients = this.frames.flatMap((frame) =>
+      [0, 1, 2].map((axis) => this.basis.coefficients(frame, axis)),
     );
-    const rounded = new Float32Array(length * this.#frames.length);
+    const rounded = new Float32Array(length * this.frames.length);
     for (let quantum = firstQuantum(most); ; quantum = Math.fround(Math.fround(0.8) * quantum)) {
       const multiples = coefficients.map((axis) =>
         Int32Array.from(axis, (coefficient) => Math.round(coefficient / quantum)),
@@ -139,11 +139,11 @@ export class TurnRecorder {
         axis.some((coefficient) => !(Math.abs(coefficient / quantum) <= mostMultiple)),
       );
       if (isTooFine) throw new RangeError("The tolerance is too fine for this leaf.");
-      const isNear = this.#frames.every((frame, at) => {
+      const isNear = this.frames.every((frame, at) => {
         const here = rounded.subarray(at * length, (at + 1) * length);
         for (let axis = 0; axis < 3; axis++) {
           const whole = Float64Array.from(multiples[3 * at + axis], (m) => m * quantum);
-          this.#basis.write(whole, here, axis);
+          this.basis.write(whole, here, axis);
         }
         return farthest(here, frame) <= rounding * most;
       });
@@ -151,16 +151,16 @@ export class TurnRecorder {
     }
   }
 
-  #write(
+  private write(
     times: readonly number[],
     multiples: readonly Int32Array[],
     quantum: number,
     error: number,
   ) {
-    const { width, height, model = "sheet", creased } = this.#leaf;
-    const packed = pack(multiples, times, this.#basis.order);
-    const mesh = creased ? packMesh(creased, this.#u, this.#v) : new Uint8Array();
-    const reals = [...this.#u, ...this.#v, ...times];
+    const { width, height, model = "sheet", creased } = this.leaf;
+    const packed = pack(multiples, times, this.basis.order);
+    const mesh = creased ? packMesh(creased, this.u, this.v) : new Uint8Array();
+    const reals = [...this.u, ...this.v, ...times];
     const header = creased ? meshHeader : packedHeader;
     const end = header + 4 * reals.length + mesh.length + packed.length;
     const bytes = new Uint8Array(end + 8);
@@ -171,7 +171,7 @@ export class TurnRecorder {
     view.setUint32(8, models.indexOf(model) + 1, true);
     view.setFloat32(16, width, true);
     view.setFloat32(20, height, true);
-    const counts = [this.#u.length, this.#v.length, times.length];
+    const counts = [this.u.length, this.v.length, times.length];
     for (const [i, count] of counts.entries()) view.setUint32(24 + 4 * i, count, true);
     view.setFloat32(36, quantum, true);
     view.setFloat32(40, error, true);

@@ -27,13 +27,13 @@ const mostBytes = 16 << 20;
  * max-age=31536000, immutable`.
  */
 export class TurnCache {
-  readonly #name: string;
-  readonly #most: number;
-  readonly #turns = new Map<string, Promise<RecordedTurn>>();
+  private readonly name: string;
+  private readonly most: number;
+  private readonly turns = new Map<string, Promise<RecordedTurn>>();
 
   constructor(options: TurnCacheOptions = {}) {
-    this.#name = options.name ?? "turnleaf-turns";
-    this.#most = Math.max(options.most ?? 32, 1);
+    this.name = options.name ?? "turnleaf-turns";
+    this.most = Math.max(options.most ?? 32, 1);
   }
 
   /**
@@ -42,7 +42,7 @@ export class TurnCache {
    */
   fetch(address: string | URL): Promise<RecordedTurn> {
     const url = new URL(address, globalThis.document?.baseURI).href;
-    return this.#once(url, async (store) => {
+    return this.once(url, async (store) => {
       const kept = await store?.match(url);
       const response = kept ?? (await fetch(url).catch(() => null));
       if (!response?.ok) throw new TurnError(`The recorded turn at ${url} could not be fetched.`);
@@ -64,7 +64,7 @@ export class TurnCache {
    */
   record(name: string, record: () => Promise<Uint8Array<ArrayBuffer>>): Promise<RecordedTurn> {
     const key = `https://turnleaf.invalid/${encodeURIComponent(name)}`;
-    return this.#once(key, async (store) => {
+    return this.once(key, async (store) => {
       const kept = await store?.match(key);
       if (kept) {
         try {
@@ -82,22 +82,22 @@ export class TurnCache {
 
   /** Forgets all turns, also those kept from other visits. */
   async clear(): Promise<void> {
-    this.#turns.clear();
-    await globalThis.caches?.delete(this.#name).catch(() => false);
+    this.turns.clear();
+    await globalThis.caches?.delete(this.name).catch(() => false);
   }
 
-  #once(
+  private once(
     key: string,
     load: (store: Cache | undefined) => Promise<RecordedTurn>,
   ): Promise<RecordedTurn> {
-    const known = this.#turns.get(key);
-    const turn = known ?? this.#open().then(load);
+    const known = this.turns.get(key);
+    const turn = known ?? this.open().then(load);
     // The map is in the order of requests: the first one is dropped.
-    this.#turns.delete(key);
-    this.#turns.set(key, turn);
-    const [oldest] = this.#turns.keys();
-    if (this.#turns.size > this.#most && oldest !== undefined) this.#turns.delete(oldest);
-    if (!known) turn.catch(() => this.#turns.get(key) === turn && this.#turns.delete(key));
+    this.turns.delete(key);
+    this.turns.set(key, turn);
+    const [oldest] = this.turns.keys();
+    if (this.turns.size > this.most && oldest !== undefined) this.turns.delete(oldest);
+    if (!known) turn.catch(() => this.turns.get(key) === turn && this.turns.delete(key));
     return turn;
   }
 
@@ -105,8 +105,8 @@ export class TurnCache {
    * Returns the browser's store; undefined if the page is not secure, or
    * storage is not allowed.
    */
-  async #open(): Promise<Cache | undefined> {
-    return await globalThis.caches?.open(this.#name).catch(() => undefined);
+  private async open(): Promise<Cache | undefined> {
+    return await globalThis.caches?.open(this.name).catch(() => undefined);
   }
 }
 

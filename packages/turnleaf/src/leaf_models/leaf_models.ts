@@ -19,7 +19,9 @@ export async function openModel(
   if (name === undefined) {
     const known = turnModels.join(", ");
     const said = cleanText(model, 40);
-    throw new BookError(`No way of turning a page is named "${said}"; there are ${known}.`);
+    throw new BookError(`No way of turning a page is named "${said}"; there are ${known}.`, {
+      code: "misused",
+    });
   }
   if (name === "sheet") return null;
   if (name === "photographs") {

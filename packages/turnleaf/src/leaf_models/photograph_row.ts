@@ -32,13 +32,16 @@ export function photographRow(address: string, base: string): PhotographRow {
   if (found === null || address.length > limits.urlLength) {
     throw new BookError(
       "Photographs of a turn need an address with their numbers in braces, as in turn-{01-24}.webp.",
+      { code: "misused" },
     );
   }
   const [, before, first, last, after] = found;
   const [from, to] = [Number(first), Number(last)];
   const count = Math.abs(to - from) + 1;
   if (count < 2 || count > most) {
-    throw new BookError(`A turn has 2 to ${most} photographs; ${address} names ${count}.`);
+    throw new BookError(`A turn has 2 to ${most} photographs; ${address} names ${count}.`, {
+      code: "misused",
+    });
   }
   const step = Math.sign(to - from);
   const addresses = Array.from({ length: count }, (_, k) => {
@@ -46,7 +49,10 @@ export function photographRow(address: string, base: string): PhotographRow {
     try {
       return new URL(before + number + after, base).href;
     } catch {
-      throw new BookError(`${address} is no address of photographs.`);
+      throw new BookError(`${address} is no address of photographs.`, {
+        code: "misused",
+        source: address,
+      });
     }
   });
   return { addresses, ratio };
@@ -58,6 +64,7 @@ function ratioOf(said: string): number {
   if (!(ratio >= 1 / longest && ratio <= longest)) {
     throw new BookError(
       "The ratio of photographed pages is said as width to height, as in #ratio=2:3.",
+      { code: "misused" },
     );
   }
   return ratio;

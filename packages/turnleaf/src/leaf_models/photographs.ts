@@ -107,7 +107,9 @@ async function decoded(addresses: readonly string[], signal: AbortSignal): Promi
           const picture = (await source.draw(index, width, signal)) as ImageBitmap;
           pictures[index] = picture;
           if (Math.abs(picture.height / picture.width / ratio - 1) < sameRatio) continue;
-          throw new BookError("The photographs of a turn must all be of one size.");
+          throw new BookError("The photographs of a turn must all be of one size.", {
+            code: "misused",
+          });
         } catch (error) {
           hasFailed = true;
           throw error;

@@ -53,7 +53,10 @@ export class Recording {
    */
   constructor(turn: RecordedTurn, name: string) {
     if (turn.creased) {
-      throw new BookError(`${name} is of a creased leaf, which a book's leaves are not drawn as.`);
+      throw new BookError(`${name} is of a creased leaf, which a book's leaves are not drawn as.`, {
+        code: "misused",
+        source: name,
+      });
     }
     this.model = turn.model;
     this.#frame = new Float32Array(3 * turn.columns * turn.rows);
@@ -73,6 +76,7 @@ export class Recording {
     if (next <= looks * done) {
       throw new BookError(
         `${name} leads its leaf only a part of the way over; record a turn from one side to the other.`,
+        { code: "misused", source: name },
       );
     }
     this.#times.fill(turn.duration, next);

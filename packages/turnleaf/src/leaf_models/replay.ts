@@ -60,7 +60,7 @@ export class ReplayModel implements LeafModel {
     const fetched = new Promise<RecordedTurn>((resolve) => resolve(turns.fetch(address)));
     const turn = await fetched.catch((error: unknown) => {
       const why = error instanceof TurnError ? error.message : "Its address is none.";
-      throw new BookError(`${name} cannot be played. ${why}`);
+      throw new BookError(`${name} cannot be played. ${why}`, { code: "misused", source: name });
     });
     return new ReplayModel(new Recording(turn, name));
   }

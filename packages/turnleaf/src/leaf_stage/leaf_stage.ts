@@ -64,13 +64,14 @@ export interface TextureOfThree {
 
 /** One leaf on one canvas. */
 export class LeafStage {
-  readonly #size: LeafSize;
-  readonly #scene: LeafScene;
-  #leaf: ShownLeaf | null = null;
+  private readonly size: LeafSize;
+  // A function: a Proxy that wraps what it returns, as Vue's does, does not reach three.js's objects.
+  private readonly leafScene: () => LeafScene;
+  private leaf: ShownLeaf | null = null;
   /** u of each of the leaf's columns. */
-  #u = new Float32Array(0);
-  #width = 1;
-  #height = 1;
+  private u = new Float32Array(0);
+  private width = 1;
+  private height = 1;
 
   /**
    * @param onRestored called when the graphics context was restored after a
@@ -79,8 +80,9 @@ export class LeafStage {
    * @throws Error if the browser has no WebGL 2
    */
   constructor(canvas: HTMLCanvasElement, size: LeafSize, onRestored?: () => void) {
-    this.#size = size;
-    this.#scene = new LeafScene(canvas, size, onRestored);
+    this.size = size;
+    const scene = new LeafScene(canvas, size, onRestored);
+    this.leafScene = () => scene;
   }
 
   /**
@@ -88,19 +90,19 @@ export class LeafStage {
    * object disposes of it.
    */
   get scene(): SceneOfThree {
-    return this.#scene.scene;
+    return this.leafScene().scene;
   }
 
   /** Fits the canvas to `width` by `height` CSS pixels, each `pixelRatio` device pixels. */
   resize(width: number, height: number, pixelRatio: number): void {
-    this.#width = Math.max(1, width);
-    this.#height = Math.max(1, height);
-    this.#scene.resize(this.#width, this.#height, pixelRatio);
+    this.width = Math.max(1, width);
+    this.height = Math.max(1, height);
+    this.leafScene().resize(this.width, this.height, pixelRatio);
   }
 
   /** Sets the pictures of the leaf and the pages from the next frame on. */
   print(pictures: LeafPictures): void {
-    this.#scene.print(pictures);
+    this.leafScene().print(pictures);
   }
 
   /**
@@ -108,7 +110,7 @@ export class LeafStage {
    * shows those again.
    */
   cover(textures: Readonly<Record<"recto" | "verso", TextureOfThree>> | null): void {
-    this.#scene.cover(textures as Readonly<Record<"recto" | "verso", Texture>> | null);
+    this.leafScene().cover(textures as Readonly<Record<"recto" | "verso", Texture>> | null);
   }
 
   /**
@@ -116,16 +118,16 @@ export class LeafStage {
    * frame until then.
    */
   show(leaf: ShownLeaf): void {
-    if (this.#u.length !== leaf.columns) {
-      this.#u = Float32Array.from({ length: leaf.columns }, (_, k) => k / (leaf.columns - 1));
+    if (this.u.length !== leaf.columns) {
+      this.u = Float32Array.from({ length: leaf.columns }, (_, k) => k / (leaf.columns - 1));
     }
-    this.#leaf = leaf;
-    this.#scene.show(leaf);
+    this.leaf = leaf;
+    this.leafScene().show(leaf);
   }
 
   /** Draws one frame immediately. */
   draw(): void {
-    this.#scene.draw();
+    this.leafScene().draw();
   }
 
   /**
@@ -133,8 +135,8 @@ export class LeafStage {
    * its upper left corner, or null beside the leaf.
    */
   pick(x: number, y: number): LeafPlace | null {
-    if (!this.#leaf) return null;
-    return pickSurface(this.#ray(x, y), { ...this.#leaf, version: 0 }, this.#u);
+    if (!this.leaf) return null;
+    return pickSurface(this.ray(x, y), { ...this.leaf, version: 0 }, this.u);
   }
 
   /**
@@ -142,15 +144,15 @@ export class LeafStage {
    * the canvas that carries a point of the leaf `reach` metres from the spine.
    */
   handAt(x: number, y: number, reach: number): Vec3 {
-    return handAt(this.#ray(x, y), Math.max(reach, 0.01 * this.#size.width), () => 0);
+    return handAt(this.ray(x, y), Math.max(reach, 0.01 * this.size.width), () => 0);
   }
 
   /** Frees all memory of the graphics card. The canvas cannot be drawn on again. */
   destroy(): void {
-    this.#scene.destroy();
+    this.leafScene().destroy();
   }
 
-  #ray(x: number, y: number): Ray {
-    return this.#scene.rayAt((2 * x) / this.#width - 1, 1 - (2 * y) / this.#height);
+  private ray(x: number, y: number): Ray {
+    return this.leafScene().rayAt((2 * x) / this.width - 1, 1 - (2 * y) / this.height);
   }
 }

@@ -271,18 +271,18 @@ function figuresOf(options: LeafOptions): number[] {
 export class LooseLeaf {
   /** Its options. */
   readonly options: LeafOptions;
-  readonly #wasm: Exports;
-  readonly #leaf: number;
-  #creased: CreasedMesh | undefined;
+  private readonly wasm: Exports;
+  private readonly leaf: number;
+  private creased: CreasedMesh | undefined;
 
   private constructor(wasm: Exports, options: LeafOptions) {
-    this.#wasm = wasm;
+    this.wasm = wasm;
     this.options = options;
     const room = wasm.tl_leaf_figures();
     const figures = figuresOf(options);
     new Float64Array(wasm.memory.buffer, room, figures.length).set(figures);
-    this.#leaf = wasm.tl_leaf_new(room);
-    if (this.#leaf === 0) throw this.#error();
+    this.leaf = wasm.tl_leaf_new(room);
+    if (this.leaf === 0) throw this.error();
   }
 
   /**
@@ -301,12 +301,12 @@ export class LooseLeaf {
    * @throws Error if the options are invalid
    */
   another(options: LeafOptions): LooseLeaf {
-    return new LooseLeaf(this.#wasm, options);
+    return new LooseLeaf(this.wasm, options);
   }
 
   /** Lays the leaf flat, but for its creases, and at rest on a side, held by nothing. */
   lay(side: LeafSide): void {
-    this.#wasm.tl_leaf_lay(this.#leaf, sideNumber(side));
+    this.wasm.tl_leaf_lay(this.leaf, sideNumber(side));
   }
 
   /**
@@ -318,13 +318,13 @@ export class LooseLeaf {
    * are too few for its creases
    */
   drawAt(u: ArrayLike<number>, v: ArrayLike<number>): void {
-    const [wasm, leaf] = [this.#wasm, this.#leaf];
+    const [wasm, leaf] = [this.wasm, this.leaf];
     const places = [...Array.from(u), ...Array.from(v)];
     const room = wasm.tl_leaf_samples(leaf, u.length, v.length);
     if (room === 0) throw new RangeError("A leaf is drawn at 1024 columns and rows at most.");
     new Float32Array(wasm.memory.buffer, room, places.length).set(places);
-    if (wasm.tl_leaf_draw(leaf, u.length) === 0) throw new RangeError(this.#error().message);
-    this.#creased = this.#mesh();
+    if (wasm.tl_leaf_draw(leaf, u.length) === 0) throw new RangeError(this.error().message);
+    this.creased = this.mesh();
   }
 
   /**
@@ -337,52 +337,52 @@ export class LooseLeaf {
    * otherwise invalid, or there are too many for the leaf's nodes; it is then as it was
    */
   crease(creases: readonly LeafCrease[]): void {
-    const [wasm, leaf] = [this.#wasm, this.#leaf];
+    const [wasm, leaf] = [this.wasm, this.leaf];
     const numbers = creases.slice(0, mostCreases).flatMap(({ through, rest }) => {
       const own = [...through, rest];
       return own.length === numbersOfCrease ? own : Array(numbersOfCrease).fill(Number.NaN);
     });
     new Float64Array(wasm.memory.buffer, wasm.tl_leaf_creases(leaf), numbers.length).set(numbers);
-    if (wasm.tl_leaf_crease(leaf, creases.length) === 0) throw this.#error();
-    this.#creased = this.#mesh();
+    if (wasm.tl_leaf_crease(leaf, creases.length) === 0) throw this.error();
+    this.creased = this.mesh();
   }
 
   /** Turns the rest of a crease, counted from 0, to an angle, radians. */
   press(crease: number, rest: number): void {
-    this.#wasm.tl_leaf_press(this.#leaf, crease, rest);
+    this.wasm.tl_leaf_press(this.leaf, crease, rest);
   }
 
   /** Returns a crease as it is now, counted from 0; null if there is none of that number. */
   creaseState(crease: number): CreaseState | null {
-    const at = this.#wasm.tl_leaf_crease_state(this.#leaf, crease);
+    const at = this.wasm.tl_leaf_crease_state(this.leaf, crease);
     if (at === 0) return null;
-    const [angle = 0, rest = 0, moment = 0] = new Float64Array(this.#wasm.memory.buffer, at, 3);
+    const [angle = 0, rest = 0, moment = 0] = new Float64Array(this.wasm.memory.buffer, at, 3);
     return { angle, rest, moment };
   }
 
   /** Lays the leaf on a side and starts a turn to the other one that takes `seconds`, 0.01 to 3600. */
   play(by: LeafTurn, from: LeafSide, seconds: number): void {
-    this.#wasm.tl_leaf_play(this.#leaf, turns.indexOf(by), sideNumber(from), seconds);
+    this.wasm.tl_leaf_play(this.leaf, turns.indexOf(by), sideNumber(from), seconds);
   }
 
   /** Whether such a turn is in progress: the leaf's own grab still leads it. */
   get playing(): boolean {
-    return this.#wasm.tl_leaf_playing(this.#leaf) !== 0;
+    return this.wasm.tl_leaf_playing(this.leaf) !== 0;
   }
 
   /** Grabs the leaf at (u, v), and ends a turn in progress. */
   grab(u: number, v: number): void {
-    this.#wasm.tl_leaf_grab(this.#leaf, u, v);
+    this.wasm.tl_leaf_grab(this.leaf, u, v);
   }
 
   /** Pulls the grabbed point to a place, metres: the leaf follows as far as its model allows. */
   hold(x: number, y: number, z: number): void {
-    this.#wasm.tl_leaf_hold(this.#leaf, x, y, z);
+    this.wasm.tl_leaf_hold(this.leaf, x, y, z);
   }
 
   /** Releases the leaf, held or turning: it falls. */
   release(): void {
-    this.#wasm.tl_leaf_release(this.#leaf);
+    this.wasm.tl_leaf_release(this.leaf);
   }
 
   /**
@@ -390,27 +390,27 @@ export class LooseLeaf {
    * remainder is carried over to the next call.
    */
   advance(seconds: number): void {
-    this.#wasm.tl_leaf_advance(this.#leaf, seconds);
+    this.wasm.tl_leaf_advance(this.leaf, seconds);
   }
 
   /** Length of a step of the model, seconds. */
   get timeStep(): number {
-    return this.#wasm.tl_leaf_step(this.#leaf);
+    return this.wasm.tl_leaf_step(this.leaf);
   }
 
   /** Seconds of its own time since it was made. */
   get time(): number {
-    return this.#wasm.tl_leaf_time(this.#leaf);
+    return this.wasm.tl_leaf_time(this.leaf);
   }
 
   /** Updates `surface` and `nodes`. */
   update(): void {
-    this.#wasm.tl_leaf_update(this.#leaf);
+    this.wasm.tl_leaf_update(this.leaf);
   }
 
   /** Returns the drawn surface as of the last `update`. */
   surface(): LeafSurface {
-    const [wasm, leaf] = [this.#wasm, this.#leaf];
+    const [wasm, leaf] = [this.wasm, this.leaf];
     const [columns, rows] = [wasm.tl_leaf_columns(leaf), wasm.tl_leaf_rows(leaf)];
     const floats = (address: number) =>
       new Float32Array(wasm.memory.buffer, address, 3 * columns * rows);
@@ -419,13 +419,13 @@ export class LooseLeaf {
       rows,
       positions: floats(wasm.tl_leaf_positions(leaf)),
       normals: floats(wasm.tl_leaf_normals(leaf)),
-      creased: this.#creased,
+      creased: this.creased,
     };
   }
 
   /** Returns the model's nodes as of the last `update`: its masses, if it has masses. */
   nodes(): LeafNodes {
-    const [wasm, leaf] = [this.#wasm, this.#leaf];
+    const [wasm, leaf] = [this.wasm, this.leaf];
     const [columns, rows] = [wasm.tl_leaf_node_columns(leaf), wasm.tl_leaf_node_rows(leaf)];
     const floats = (address: number) =>
       new Float32Array(wasm.memory.buffer, address, 3 * columns * rows);
@@ -439,15 +439,15 @@ export class LooseLeaf {
 
   /** Returns the current energies and strains. */
   measure(): LeafFigures {
-    const at = this.#wasm.tl_leaf_measure(this.#leaf);
-    const figures = new Float64Array(this.#wasm.memory.buffer, at, 5);
+    const at = this.wasm.tl_leaf_measure(this.leaf);
+    const figures = new Float64Array(this.wasm.memory.buffer, at, 5);
     const [kinetic = 0, bending = 0, gravity = 0, stretch = 0, compression = 0] = figures;
     return { kinetic, bending, gravity, stretch, compression };
   }
 
   /** Records the drawn surface from now on, a frame every `interval` seconds. */
   record(interval: number): void {
-    this.#wasm.tl_leaf_record(this.#leaf, interval);
+    this.wasm.tl_leaf_record(this.leaf, interval);
   }
 
   /**
@@ -455,26 +455,26 @@ export class LooseLeaf {
    * `record` was not called.
    */
   finishRecord(): Uint8Array {
-    const length = this.#wasm.tl_leaf_finish_record(this.#leaf);
-    const at = this.#wasm.tl_leaf_record_bytes(this.#leaf);
-    return new Uint8Array(this.#wasm.memory.buffer, at, length).slice();
+    const length = this.wasm.tl_leaf_finish_record(this.leaf);
+    const at = this.wasm.tl_leaf_record_bytes(this.leaf);
+    return new Uint8Array(this.wasm.memory.buffer, at, length).slice();
   }
 
   /** Frees the leaf. Nothing may be called afterwards. */
   destroy(): void {
-    this.#wasm.tl_leaf_drop(this.#leaf);
+    this.wasm.tl_leaf_drop(this.leaf);
   }
 
   /** Returns why the last leaf could not be made, drawn or creased. */
-  #error(): Error {
-    const wasm = this.#wasm;
+  private error(): Error {
+    const wasm = this.wasm;
     const [at, length] = [wasm.tl_leaf_error(), wasm.tl_leaf_error_length()];
     return new Error(new TextDecoder().decode(new Uint8Array(wasm.memory.buffer, at, length)));
   }
 
   /** Returns a copy of the mesh of a creased leaf, as the engine's memory moves. */
-  #mesh(): CreasedMesh | undefined {
-    const [wasm, leaf] = [this.#wasm, this.#leaf];
+  private mesh(): CreasedMesh | undefined {
+    const [wasm, leaf] = [this.wasm, this.leaf];
     const [at, count] = [wasm.tl_leaf_places(leaf), wasm.tl_leaf_triangles(leaf)];
     if (at === 0) return undefined;
     wasm.tl_leaf_update(leaf);

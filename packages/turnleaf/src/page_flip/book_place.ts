@@ -6,6 +6,7 @@
  */
 
 import type { TurnleafBook } from "../index.ts";
+import { LentStyle } from "./lent_style.ts";
 import type { FlipSetting } from "./settings.ts";
 
 /** Where a book is in its host, CSS pixels. */
@@ -28,66 +29,63 @@ const firstScale = { x: 1 / 0.9, y: 1 / 0.81 };
 /** How much of the shadow around a resting book is seen, CSS pixels. */
 const restingMargin = 6;
 
-/** Gives an element the attribute `style` that it had; null for none. */
-export function restoreStyle(element: HTMLElement, style: string | null): void {
-  // Chromium keeps an empty attribute if properties were set and it is removed at once.
-  element.setAttribute("style", style ?? "");
-  if (style === null) element.removeAttribute("style");
-}
-
 /** The boxes of one book in its host. */
 export class BookPlace {
-  readonly #host: HTMLElement;
-  readonly #book: TurnleafBook;
-  readonly #settings: FlipSetting;
-  readonly #hostStyle: string | null;
-  readonly #wrapper: HTMLElement = document.createElement("div");
-  readonly #block: HTMLElement = document.createElement("div");
-  readonly #resized: ResizeObserver;
-  #orientation: Orientation | null = null;
+  private readonly host: HTMLElement;
+  private readonly book: TurnleafBook;
+  private readonly settings: FlipSetting;
+  private readonly lent: LentStyle;
+  private readonly wrapper: HTMLElement = document.createElement("div");
+  private readonly block: HTMLElement = document.createElement("div");
+  private readonly resized: ResizeObserver;
+  private shownOrientation: Orientation | null = null;
   /** Where the open book lies in the element, as fractions of that. */
-  #inside: { x: number; y: number; width: number; height: number } | null = null;
-  #isResting = true;
+  private inside: { x: number; y: number; width: number; height: number } | null = null;
+  private isStill = true;
 
   /** @param resized called when the host has another size */
   constructor(host: HTMLElement, book: TurnleafBook, settings: FlipSetting, resized: () => void) {
-    this.#host = host;
-    this.#book = book;
-    this.#settings = settings;
-    this.#hostStyle = host.getAttribute("style");
-    this.#wrapper.className = "stf__wrapper";
-    this.#block.className = "stf__block";
-    this.#block.style.cssText = "position: absolute; inset: 0; box-sizing: border-box";
+    this.host = host;
+    this.book = book;
+    this.settings = settings;
+    this.lent = new LentStyle(host);
+    this.wrapper.className = "stf__wrapper";
+    this.block.className = "stf__block";
+    this.block.style.cssText = "position: absolute; inset: 0; box-sizing: border-box";
     book.style.cssText = "position: absolute; min-height: 0; margin: 0";
-    this.#wrapper.style.zIndex = String(settings.startZIndex);
-    this.#styleHost();
-    this.#block.append(book);
-    this.#wrapper.append(this.#block);
-    host.prepend(this.#wrapper);
+    this.wrapper.style.zIndex = String(settings.startZIndex);
+    this.styleHost();
+    this.block.append(book);
+    this.wrapper.append(this.block);
+    host.prepend(this.wrapper);
     // In the next frame: what changes the size of what is observed is a loop.
-    this.#resized = new ResizeObserver(() => requestAnimationFrame(resized));
-    this.#resized.observe(this.#block);
+    this.resized = new ResizeObserver(() => requestAnimationFrame(resized));
+    this.resized.observe(this.block);
   }
 
   /** Gives the host back as it was. */
   remove(): void {
-    this.#resized.disconnect();
-    this.#wrapper.remove();
-    this.#host.classList.remove("stf__parent");
-    restoreStyle(this.#host, this.#hostStyle);
+    this.resized.disconnect();
+    this.wrapper.remove();
+    this.lent.restore();
+  }
+
+  /** Whether the book is in its host still: others may have emptied that. */
+  get isInHost(): boolean {
+    return this.host.contains(this.book);
   }
 
   /** One page or two, as the host's width is now. */
   get orientation(): Orientation {
-    const { size, usePortrait, width, minWidth } = this.#settings;
+    const { size, usePortrait, width, minWidth } = this.settings;
     const least = 2 * (size === "stretch" ? minWidth : width);
-    return usePortrait && this.#block.offsetWidth < least ? "portrait" : "landscape";
+    return usePortrait && this.block.offsetWidth < least ? "portrait" : "landscape";
   }
 
   /** Where the book is in its host. */
   get rect(): PageRect {
-    const { size, width, height, maxWidth } = this.#settings;
-    const { offsetWidth, offsetHeight } = this.#block;
+    const { size, width, height, maxWidth } = this.settings;
+    const { offsetWidth, offsetHeight } = this.block;
     const isPortrait = this.orientation === "portrait";
     let pageWidth = width;
     let pageHeight = height;
@@ -111,48 +109,48 @@ export class BookPlace {
   /** Fits everything to the host. Returns whether the orientation has changed. */
   fit(): boolean {
     const { orientation } = this;
-    const isChanged = orientation !== this.#orientation;
+    const isChanged = orientation !== this.shownOrientation;
     if (isChanged) {
-      this.#orientation = orientation;
-      this.#inside = null;
-      this.#styleWrapper(orientation);
-      this.#book.layout = orientation === "portrait" ? "single" : "spread";
+      this.shownOrientation = orientation;
+      this.inside = null;
+      this.styleWrapper(orientation);
+      this.book.layout = orientation === "portrait" ? "single" : "spread";
     }
-    this.#layElement();
+    this.layElement();
     return isChanged;
   }
 
   /** Lays the element so that its open book fills the rectangle, once that is known. */
   measure(): void {
-    const bounds = this.#book.bookBounds;
-    const { clientWidth, clientHeight } = this.#book;
+    const bounds = this.book.bookBounds;
+    const { clientWidth, clientHeight } = this.book;
     if (!bounds || !(bounds.width > 0 && clientWidth > 0 && clientHeight > 0)) return;
-    this.#inside = {
+    this.inside = {
       x: bounds.x / clientWidth,
       y: bounds.y / clientHeight,
       width: bounds.width / clientWidth,
       height: bounds.height / clientHeight,
     };
-    this.#layElement();
+    this.layElement();
   }
 
   /** Whether nothing moves, so that only the book itself is to be seen. */
   set isResting(isResting: boolean) {
-    if (isResting === this.#isResting) return;
-    this.#isResting = isResting;
-    this.#layElement();
+    if (isResting === this.isStill) return;
+    this.isStill = isResting;
+    this.layElement();
   }
 
-  #layElement(): void {
+  private layElement(): void {
     const { left, top, width, height, pageWidth } = this.rect;
-    const isPortrait = this.#orientation === "portrait";
+    const isPortrait = this.shownOrientation === "portrait";
     const target = {
       x: isPortrait ? left + pageWidth : left,
       width: isPortrait ? pageWidth : width,
     };
-    const { style } = this.#book;
+    const { style } = this.book;
     const [elementWidth, elementHeight] = [firstScale.x * target.width, firstScale.y * height];
-    const inside = this.#inside ?? {
+    const inside = this.inside ?? {
       x: (1 - 1 / firstScale.x) / 2,
       y: (1 - 1 / firstScale.y) / 2,
       width: 1 / firstScale.x,
@@ -177,32 +175,31 @@ export class BookPlace {
       inside.x * w,
     ];
     const clip = sides.map((side) => `${Math.max(0, side - restingMargin)}px`).join(" ");
-    style.clipPath = this.#isResting && this.#inside ? `inset(${clip})` : "";
+    style.clipPath = this.isStill && this.inside ? `inset(${clip})` : "";
   }
 
-  #styleHost(): void {
-    const { minWidth, minHeight, maxWidth, usePortrait, autoSize } = this.#settings;
-    const { mobileScrollSupport, useMouseEvents } = this.#settings;
-    const { style, classList } = this.#host;
-    classList.add("stf__parent");
-    style.position = "relative";
-    style.display = "block";
-    style.boxSizing = "border-box";
-    style.minWidth = `${minWidth * (usePortrait ? 1 : 2)}px`;
-    style.minHeight = `${minHeight}px`;
-    style.touchAction = mobileScrollSupport ? "pan-y" : "none";
-    // A mouse drags pages wherever it takes them, also by their text.
-    if (useMouseEvents) style.userSelect = "none";
-    if (!autoSize) return;
-    style.width = "100%";
-    style.maxWidth = `${2 * maxWidth}px`;
+  private styleHost(): void {
+    const { minWidth, minHeight, maxWidth, usePortrait, autoSize } = this.settings;
+    const { mobileScrollSupport, useMouseEvents } = this.settings;
+    this.lent.wear(["stf__parent"]);
+    this.lent.style({
+      position: "relative",
+      display: "block",
+      "box-sizing": "border-box",
+      "min-width": `${minWidth * (usePortrait ? 1 : 2)}px`,
+      "min-height": `${minHeight}px`,
+      "touch-action": mobileScrollSupport ? "pan-y" : "none",
+      // A mouse drags pages wherever it takes them, also by their text.
+      ...(useMouseEvents && { "user-select": "none" }),
+      ...(autoSize && { width: "100%", "max-width": `${2 * maxWidth}px` }),
+    });
   }
 
-  #styleWrapper(orientation: Orientation): void {
-    const { classList, style } = this.#wrapper;
+  private styleWrapper(orientation: Orientation): void {
+    const { classList, style } = this.wrapper;
     classList.remove("--portrait", "--landscape");
     classList.add(`--${orientation}`);
-    const { autoSize, width, height } = this.#settings;
+    const { autoSize, width, height } = this.settings;
     const across = orientation === "portrait" ? width : 2 * width;
     if (autoSize) style.paddingBottom = `${(100 * height) / across}%`;
   }

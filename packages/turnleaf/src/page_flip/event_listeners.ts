@@ -10,26 +10,26 @@ export interface WidgetEvent<Data, Source> {
 
 /** Keeps listeners and calls them. */
 export class EventListeners<Events extends object, Source> {
-  readonly #listeners = new Map<keyof Events, ((event: never) => void)[]>();
+  private readonly listeners = new Map<keyof Events, ((event: never) => void)[]>();
 
   /** Adds a listener. */
   add<K extends keyof Events>(
     name: K,
     listener: (event: WidgetEvent<Events[K], Source>) => void,
   ): void {
-    this.#listeners.set(name, [...(this.#listeners.get(name) ?? []), listener]);
+    this.listeners.set(name, [...(this.listeners.get(name) ?? []), listener]);
   }
 
   /** Removes one listener of an event, or all if none is given. */
   remove(name: keyof Events, listener?: (event: never) => void): void {
-    const left = this.#listeners.get(name)?.filter((other) => listener && other !== listener);
-    this.#listeners.set(name, left ?? []);
+    const left = this.listeners.get(name)?.filter((other) => listener && other !== listener);
+    this.listeners.set(name, left ?? []);
   }
 
   /** Calls the listeners of an event. One that removes another meanwhile does not stop that. */
   call<K extends keyof Events>(name: K, data: Events[K], object: Source): void {
     const event = { data, object };
-    for (const listener of this.#listeners.get(name) ?? []) {
+    for (const listener of this.listeners.get(name) ?? []) {
       (listener as (event: WidgetEvent<Events[K], Source>) => void)(event);
     }
   }

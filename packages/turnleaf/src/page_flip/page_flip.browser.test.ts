@@ -360,6 +360,99 @@ test("the open book fills page-flip's rectangle", async () => {
   }
 });
 
+const places: readonly [Partial<FlipSetting>, string, shown: number[]][] = [
+  [{}, "width: 400px", [0, 1]],
+  [{ startPage: 6 }, "width: 400px", [6]],
+  [{ showCover: true }, "width: 400px", [0]],
+  [{ showCover: true, startPage: 2 }, "width: 400px", [1, 2]],
+  [{ showCover: true, startPage: 7 }, "width: 400px", [7]],
+  [{ showCover: true }, "width: 150px", [0]],
+  [{ showCover: true, startPage: 7 }, "width: 150px", [7]],
+  [{ showCover: true, autoSize: false }, "width: 260px; height: 300px", [0]],
+  [{ showCover: true, size: "stretch", minWidth: 80, maxWidth: 400 }, "width: 500px", [0]],
+];
+
+/** Where elements of pages lie in their host: their edges, CSS pixels. */
+function edgesIn(host: HTMLElement, page: HTMLElement) {
+  const [outer, inner] = [host.getBoundingClientRect(), page.getBoundingClientRect()];
+  return [
+    inner.left - outer.left,
+    inner.top - outer.top,
+    inner.right - outer.left,
+    inner.bottom - outer.top,
+  ];
+}
+
+test.each(places)(
+  "pages lie where page-flip's do, with %j in %s",
+  async (options, style, shown) => {
+    const seen: { edges: number[][]; classes: string[][] }[] = [];
+    for (const [, made] of classes) {
+      const count = options.showCover ? 8 : 7;
+      const { book, host, pages } = await opened(made, options, style, count);
+      await eventually(() => (book.getBook ? book.getBook()?.settled : true)).toBe(true);
+      seen.push({
+        edges: shown.map((page) => edgesIn(host, pages[page])),
+        classes: shown.map((page) => [...pages[page].classList].sort()),
+      });
+      document.body.replaceChildren();
+    }
+    expect(seen[1].classes).toEqual(seen[0].classes);
+    expect(seen[0].classes[0]).toContain("stf__item");
+    // A cover lies as high over the table as the book is thick, and is seen that much larger.
+    const [left, , right] = seen[0].edges[0];
+    const most = 0.04 * (right - left);
+    for (const [k, edges] of seen[0].edges.entries()) {
+      for (const [side, edge] of edges.entries()) {
+        expect(Math.abs(seen[1].edges[k][side] - edge), `${side} of ${shown[k]}`).toBeLessThan(
+          most,
+        );
+      }
+    }
+  },
+);
+
+test("a host that was emptied gets nothing back; one that was refilled keeps that", async () => {
+  const emptied = await opened(PageFlip);
+  emptied.host.replaceChildren();
+  emptied.book.destroy();
+  expect(emptied.host.childNodes.length).toBe(0);
+  expect(emptied.host.hasAttribute("class")).toBe(false);
+  const refilled = await opened(PageFlip);
+  refilled.host.innerHTML = "<p>Another</p>";
+  refilled.book.destroy();
+  expect(refilled.host.innerHTML).toBe("<p>Another</p>");
+  // One page that somebody took away is not brought back.
+  const taken = await opened(PageFlip);
+  document.body.append(taken.pages[3]);
+  taken.book.destroy();
+  expect([...taken.host.children]).toEqual(taken.pages.filter((_, k) => k !== 3));
+  expect(taken.pages[3].parentElement).toBe(document.body);
+  expect(taken.pages[3].className).toBe("page");
+});
+
+test("an emptied host gets the book anew when pages are loaded", async () => {
+  const { book, host, log } = await opened(PageFlip);
+  host.replaceChildren();
+  log.length = 0;
+  book.loadFromHTML(htmlPages(4));
+  await eventually(() => log.some(([name]) => name === "init")).toBe(true);
+  expect(host.contains(book.getBook())).toBe(true);
+  expect(book.getPageCount()).toBe(4);
+});
+
+test("destroy leaves what others have set meanwhile", async () => {
+  const { book, host, pages } = await opened(PageFlip);
+  host.style.color = "red";
+  host.style.width = "70%";
+  pages[0].style.background = "gold";
+  pages[0].classList.add("read");
+  book.destroy();
+  expect(host.getAttribute("style")).toBe("width: 70%; color: red;");
+  expect(pages[0].getAttribute("style")).toBe("background: gold;");
+  expect(pages[0].className).toBe("page read");
+});
+
 // What page-flip does otherwise, and is a fault there.
 test("one listener of several is removed; the host outlives the book, and has its pages again", async () => {
   const { book, log, host, pages } = await opened(PageFlip, {}, "width: 400px; color: red");

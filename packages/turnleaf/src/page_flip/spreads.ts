@@ -18,16 +18,26 @@ export function spreadWith(spreads: readonly number[][], page: number): number {
   return spreads.findIndex((pages) => pages.includes(page));
 }
 
+/** Returns the side on which a page lies in two-page spreads: the last one alone is the back. */
+export function sideOf(spreads: readonly number[][], page: number): "left" | "right" {
+  const [first, second] = spreads[spreadWith(spreads, page)] ?? [];
+  if (second !== undefined) return page === first ? "left" : "right";
+  return page === spreads.at(-1)?.[0] ? "left" : "right";
+}
+
 /**
- * Returns the pages (from 1) of board, as the element's `hard-pages`: those that
- * say so, and in two-page spreads those that stand alone, as page-flip makes them.
+ * Returns the pages of board: those that say so, and in two-page spreads those that
+ * stand alone, as page-flip makes them.
  *
  * @param isHard whether each page says so
  */
-export function hardPages(isHard: readonly boolean[], hasCover: boolean): string {
+export function hardPages(isHard: readonly boolean[], hasCover: boolean): ReadonlySet<number> {
   const alone = spreadsOf(isHard.length, hasCover, false)
     .filter((pages) => pages.length === 1)
     .map(([page]) => page);
-  const pages = isHard.flatMap((hard, page) => (hard || alone.includes(page) ? [page + 1] : []));
-  return pages.join();
+  return new Set(isHard.flatMap((hard, page) => (hard || alone.includes(page) ? [page] : [])));
 }
+
+/** Returns pages as the element has them in `hard-pages`: from 1. */
+export const numbersOf = (pages: ReadonlySet<number>): string =>
+  [...pages].map((page) => page + 1).join();

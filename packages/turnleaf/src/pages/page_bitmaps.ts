@@ -1,7 +1,13 @@
 /** The bitmaps shown on leaves: the pool's own, fitted to the leaf, or stand-ins. */
 
 import { loadPart } from "../sources/load_part.ts";
-import type { PageBox, PagePicture, PageSize, PageSource } from "../sources/page_source.ts";
+import type {
+  BookError,
+  PageBox,
+  PagePicture,
+  PageSize,
+  PageSource,
+} from "../sources/page_source.ts";
 import {
   foldAt,
   isFoldOut,
@@ -24,6 +30,8 @@ export interface PageBitmapsOptions {
   readonly onDrop: (picture: PagePicture) => void;
   /** Returns the sentence for a page that takes long to draw, from its label. */
   readonly slowText?: (label: string) => string;
+  /** Returns the sentence for a page (from 1) that cannot be drawn. The default is the error's own. */
+  readonly failureText?: (error: BookError, page: number) => string;
   /** As in the pool's options. */
   readonly later?: PagePoolOptions["later"];
 }
@@ -296,8 +304,8 @@ export class PageBitmaps {
   }
 
   /** Returns why a page (from 1) cannot be shown, or null. */
-  failure(page: number): string | null {
-    return this.#pool.failed(page - 1)?.message ?? null;
+  failure(page: number): BookError | null {
+    return this.#pool.failed(page - 1);
   }
 
   /** Blank paper. */
@@ -335,7 +343,8 @@ export class PageBitmaps {
   #standIn(page: number): PagePicture {
     const failure = this.#pool.failed(page - 1);
     if (failure) {
-      return this.#keep(`! ${failure.message}`, () => failedPage(failure.message, this.#aspect));
+      const sentence = this.#options.failureText?.(failure, page) ?? failure.message;
+      return this.#keep(`! ${sentence}`, () => failedPage(sentence, this.#aspect));
     }
     const label = this.#source.label(page - 1);
     const sentence = this.#pool.slow(page - 1) && this.#options.slowText?.(label);

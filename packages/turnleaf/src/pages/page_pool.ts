@@ -384,7 +384,10 @@ export class PagePool {
 
   #asBookError(error: unknown, index: number): BookError {
     const what = `Page ${index + 1} of ${this.#source.title} could not be drawn`;
-    return unknownFailure(what, error, "turn back to it to try again");
+    return unknownFailure(what, error, "turn back to it to try again", {
+      page: index + 1,
+      source: this.#source.title,
+    });
   }
 
   #now(): number {

@@ -105,10 +105,11 @@ const begin = (...clips: NarratedClip[]) => {
   const [book, narration] = [new Book(), new FakeNarration(clips)];
   const reading = new Reading(book, narration, "en");
   const reported: unknown[] = [];
-  for (const name of ["readaloudchange", "error"]) {
-    book.addEventListener(name, (event) => reported.push((event as CustomEvent).detail));
-  }
-  const done = reading.run(() => {});
+  book.addEventListener("readaloudchange", (event) => reported.push((event as CustomEvent).detail));
+  const done = reading.run(
+    () => {},
+    ({ message }) => reported.push({ message }),
+  );
   const isMarked = (number: number) => eventually(() => narration.marked.at(-1)).toBe(number);
   return { book, narration, reading, done, isMarked, reported, sound: FakeAudio.last };
 };

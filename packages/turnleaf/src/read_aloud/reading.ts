@@ -1,7 +1,7 @@
 /** Reads a book aloud: its recordings or its text, with what is read marked, and turns the pages as it goes. */
 
 import { unknownFailure } from "../sources/failures.ts";
-import type { NarratedClip, Narration } from "../sources/page_source.ts";
+import type { BookError, NarratedClip, Narration } from "../sources/page_source.ts";
 import { RecordingPlayer } from "./recording_player.ts";
 import { speak } from "./speech.ts";
 
@@ -20,12 +20,6 @@ export interface BookReadAloud extends EventTarget {
   /** "turning" while its leaves turn. */
   readonly state: string;
   turnTo(page: number): Promise<boolean>;
-}
-
-/** The details of the events that a reading dispatches on its element. */
-interface Details {
-  readonly readaloudchange: { readonly reading: boolean };
-  readonly error: { readonly message: string };
 }
 
 /** One reading of an open book. */
@@ -59,18 +53,20 @@ export class Reading {
    * the element.
    *
    * @param ended called at the end, before it is reported
+   *
+   * @param failed called if something cannot be read
    */
-  async run(ended: () => void): Promise<void> {
-    this.#report("readaloudchange", { reading: true });
+  async run(ended: () => void, failed: (error: BookError) => void): Promise<void> {
+    this.#report(true);
     try {
       await this.#read();
     } catch (error) {
       const what = `${this.#book.bookTitle} cannot be read aloud`;
-      const { message } = unknownFailure(what, error, "update the browser, or get the book again");
-      this.#report("error", { message });
+      const detail = { code: "silent", source: this.#book.bookTitle } as const;
+      failed(unknownFailure(what, error, "update the browser, or get the book again", detail));
     }
     ended();
-    this.#report("readaloudchange", { reading: false });
+    this.#report(false);
   }
 
   /** Ends the reading. */
@@ -113,8 +109,8 @@ export class Reading {
     }
   }
 
-  #report<K extends "readaloudchange" | "error">(name: K, detail: Details[K]): void {
-    this.#book.dispatchEvent(new CustomEvent(name, { detail }));
+  #report(reading: boolean): void {
+    this.#book.dispatchEvent(new CustomEvent("readaloudchange", { detail: { reading } }));
   }
 
   #firstClip(): Promise<number | null> {

@@ -55,7 +55,10 @@ export class RecordingPlayer {
       if (signal.aborted || this.#isClosed) return;
       const isForbidden = error instanceof DOMException && error.name === "NotAllowedError";
       throw isForbidden
-        ? new BookError(`${this.#name} is read aloud only when its reader asks for it by a press.`)
+        ? new BookError(
+            `${this.#name} is read aloud only when its reader asks for it by a press.`,
+            { code: "silent", source: this.#name },
+          )
         : this.#unplayable(error);
     }
     await this.#ended(clip, signal, heard);
@@ -123,6 +126,7 @@ export class RecordingPlayer {
     const why = error instanceof MediaError ? error.message : nameAndMessage(error);
     return new BookError(
       `A recording in ${this.#name} cannot be played (${why || "its format is unknown"}); update the browser, get the book again, or allow blob: in media-src of this page's Content-Security-Policy.`,
+      { code: "silent", source: this.#name },
     );
   }
 }

@@ -19,7 +19,7 @@ export async function speak(
   heard: (fraction: number) => void,
 ): Promise<void> {
   const { speechSynthesis } = globalThis;
-  if (speechSynthesis === undefined) throw new BookError(mute);
+  if (speechSynthesis === undefined) throw new BookError(mute, { code: "silent" });
   let before = 0;
   for (const part of partsOf(text, language)) {
     if (signal.aborted) return;
@@ -39,7 +39,7 @@ export async function speak(
       utterance.onerror = ({ error }) => {
         signal.removeEventListener("abort", stop);
         if (signal.aborted) resolve();
-        else reject(new BookError(mute, { cause: new Error(error) }));
+        else reject(new BookError(mute, { code: "silent", cause: new Error(error) }));
       };
       speechSynthesis.speak(utterance);
     });

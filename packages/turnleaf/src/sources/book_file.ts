@@ -67,7 +67,10 @@ export async function fileIn(blob: Blob, name: string): Promise<BookFile> {
     async whole(most) {
       if (blob.size <= most) return { blob, url: "" };
       const megabytes = Math.floor(most / (1 << 20));
-      throw new BookError(`${name} is larger than ${megabytes} MB; split it and open a part.`);
+      throw new BookError(`${name} is larger than ${megabytes} MB; split it and open a part.`, {
+        code: "tooLarge",
+        source: name,
+      });
     },
   };
 }
@@ -77,7 +80,10 @@ export async function bytesOf(blob: Blob, name: string): Promise<Uint8Array<Arra
   try {
     return new Uint8Array(await blob.arrayBuffer());
   } catch {
-    throw new BookError(`${name} cannot be read any more; choose the file again.`);
+    throw new BookError(`${name} cannot be read any more; choose the file again.`, {
+      code: "gone",
+      source: name,
+    });
   }
 }
 

@@ -1,7 +1,7 @@
 /** Sentences for unforeseen errors. */
 
 import { cleanText } from "./book_text.ts";
-import { BookError } from "./page_source.ts";
+import { BookError, type BookErrorDetail } from "./page_source.ts";
 
 /** Maximum of characters quoted from another library's message. */
 const messageLength = 200;
@@ -22,8 +22,15 @@ export function nameAndMessage(error: unknown): string {
  *
  * @param what what failed, such as "book.pdf cannot be read"
  * @param remedy what to do about it
+ * @param detail what a program may ask of it
  */
-export function unknownFailure(what: string, error: unknown, remedy: string): BookError {
+export function unknownFailure(
+  what: string,
+  error: unknown,
+  remedy: string,
+  detail: BookErrorDetail = {},
+): BookError {
   if (error instanceof BookError) return error;
-  return new BookError(`${what} (${nameAndMessage(error)}); ${remedy}.`, { cause: error });
+  const sentence = `${what} (${nameAndMessage(error)}); ${remedy}.`;
+  return new BookError(sentence, { ...detail, cause: error });
 }

@@ -1,13 +1,16 @@
-import { BookError } from "./page_source.ts";
+import { BookError, type BookErrorCode, type BookErrorDetail } from "./page_source.ts";
 
 /**
  * Fetches `url`. Rejects with a `BookError`, a sentence about `name`, or with
  * the signal's reason when aborted.
+ *
+ * @param about what a program may ask of the error
  */
 export async function fetchChecked(
   url: string,
   name: string,
   init: RequestInit,
+  about: BookErrorDetail = { source: name },
 ): Promise<Response> {
   let response: Response;
   try {
@@ -15,35 +18,52 @@ export async function fetchChecked(
   } catch (error) {
     init.signal?.throwIfAborted();
     if (!(error instanceof TypeError)) throw error;
-    throw new BookError(unreachable(url, name));
+    throw new BookError(unreachable(url, name), { ...about, code: "unreachable" });
   }
   if (response.ok) return response;
   // 416 is the response to a range request for an empty file.
   if (response.status === 416) throw emptyFile(name);
   await response.body?.cancel().catch(() => {});
-  throw new BookError(httpError(response.status, name));
+  throw httpError(response.status, name, about);
 }
 
 /** Returns the error for a status of the server other than success. */
-export function httpError(status: number, name: string): string {
-  if (status === 404 || status === 410) {
-    return `${name} was not found; check the address and open it again.`;
-  }
-  if (status === 401 || status === 403) {
-    return `${name} may not be read (the server responded ${status}); ask for access, or open a copy of it.`;
-  }
-  return `${name} could not be fetched (the server responded ${status}); try again later.`;
+export function httpError(
+  status: number,
+  name: string,
+  about: BookErrorDetail = { source: name },
+): BookError {
+  const [code, sentence] = ((): [BookErrorCode, string] => {
+    switch (status) {
+      case 404:
+      case 410:
+        return ["absent", `${name} was not found; check the address and open it again.`];
+      case 401:
+      case 403:
+        return [
+          "forbidden",
+          `${name} may not be read (the server responded ${status}); ask for access, or open a copy of it.`,
+        ];
+      default:
+        return [
+          "server",
+          `${name} could not be fetched (the server responded ${status}); try again later.`,
+        ];
+    }
+  })();
+  return new BookError(sentence, { ...about, code, status });
 }
 
 /** Returns the error for an empty file. */
 export function emptyFile(name: string): BookError {
-  return new BookError(`${name} is empty; get the file again.`);
+  return new BookError(`${name} is empty; get the file again.`, { code: "empty", source: name });
 }
 
 /** Returns the error for a connection that breaks. */
 export function brokeOff(name: string): BookError {
   return new BookError(
     `${name} broke off while it was fetched; check the connection and try again.`,
+    { code: "unreachable", source: name },
   );
 }
 
@@ -122,5 +142,6 @@ function join(parts: readonly Uint8Array[], length: number): Uint8Array<ArrayBuf
 function tooLarge(name: string, most: number): BookError {
   return new BookError(
     `${name} is larger than ${Math.floor(most / (1 << 20))} MB; make it smaller and open it again.`,
+    { code: "tooLarge", source: name },
   );
 }

@@ -160,7 +160,10 @@ export async function openFile(file: BookFile, options: FormatOptions): Promise<
   const kind = sniff(file);
   const open = formats[kind];
   if (open) return await open(file, options);
-  throw new BookError(`${file.name} ${reasons[kind] ?? "is of an unknown format"}; ${readable}`);
+  throw new BookError(`${file.name} ${reasons[kind] ?? "is of an unknown format"}; ${readable}`, {
+    code: "unsupported",
+    source: file.name,
+  });
 }
 
 /** Opens a book of images. */
@@ -192,6 +195,9 @@ async function parseJson({ blob }: WholeFile, name: string): Promise<unknown> {
   try {
     return JSON.parse(new TextDecoder().decode(bytes));
   } catch {
-    throw new BookError(`${name} is no valid JSON; correct it and open it again.`);
+    throw new BookError(`${name} is no valid JSON; correct it and open it again.`, {
+      code: "damaged",
+      source: name,
+    });
   }
 }

@@ -85,7 +85,10 @@ export class ImageSource implements PageSource {
     if (!signal.aborted && !this.#closed) return picture;
     picture.close();
     signal.throwIfAborted();
-    throw new BookError(`${this.#book.name} is closed; open it again.`);
+    throw new BookError(`${this.#book.name} is closed; open it again.`, {
+      code: "closed",
+      source: this.#book.name,
+    });
   }
 
   async text(index: number): Promise<readonly TextRun[]> {
@@ -134,6 +137,7 @@ export class ImageSource implements PageSource {
     if (!isSvg(image) && pixels.width * pixels.height > limits.imagePixels) {
       throw new BookError(
         `${this.#place(index)} has ${pixels.width} x ${pixels.height} pixels, more than can be shown; make it smaller.`,
+        { code: "tooLarge", page: index + 1, source: this.#book.name },
       );
     }
     const { width, height } = this.#book.pages[index]?.part ?? wholePage;
@@ -171,7 +175,10 @@ export class ImageSource implements PageSource {
     signal?.throwIfAborted();
     const page = this.#book.pages[index];
     if (this.#closed || !page) {
-      throw new BookError(`${this.#book.name} has no page ${index + 1} any more; open it again.`);
+      throw new BookError(`${this.#book.name} has no page ${index + 1} any more; open it again.`, {
+        code: "noPage",
+        source: this.#book.name,
+      });
     }
     const { src } = page;
     const image =
@@ -197,9 +204,19 @@ export class ImageSource implements PageSource {
   async #fetch(index: number, src: string | StoredImage, signal: AbortSignal): Promise<Blob> {
     if (typeof src !== "string") return await typedImage(await src.read());
     const place = this.#place(index);
-    const response = await fetchChecked(src, place, { signal });
+    const response = await fetchChecked(
+      src,
+      place,
+      { signal },
+      { page: index + 1, source: this.#book.name },
+    );
     const bytes = await readBounded(response, limits.imageBytes, place, signal);
-    if (bytes.length === 0) throw new BookError(`${place} is empty; get the file again.`);
+    if (bytes.length === 0)
+      throw new BookError(`${place} is empty; get the file again.`, {
+        code: "empty",
+        page: index + 1,
+        source: this.#book.name,
+      });
     return await typedImage(
       new Blob([bytes], { type: response.headers.get("content-type") ?? "" }),
     );
@@ -209,12 +226,20 @@ export class ImageSource implements PageSource {
     try {
       return await typedImage(image);
     } catch {
-      throw new BookError(`${this.#place(index)} cannot be read any more; choose the file again.`);
+      throw new BookError(`${this.#place(index)} cannot be read any more; choose the file again.`, {
+        code: "gone",
+        page: index + 1,
+        source: this.#book.name,
+      });
     }
   }
 
   #misplacedPdf(index: number): BookError {
-    return new BookError(`${this.#place(index)} is a PDF among images; open it by itself.`);
+    return new BookError(`${this.#place(index)} is a PDF among images; open it by itself.`, {
+      code: "unsupported",
+      page: index + 1,
+      source: this.#book.name,
+    });
   }
 
   #undecodable(index: number, image: Blob): BookError {
@@ -223,6 +248,7 @@ export class ImageSource implements PageSource {
       isSvg(image)
         ? `${place} is damaged, or this page's Content-Security-Policy lacks data: in img-src, by which an SVG is drawn.`
         : `${place} is damaged or no image; PNG, JPEG, WebP, AVIF, GIF and SVG can be shown.`,
+      { code: "damaged", page: index + 1, source: this.#book.name },
     );
   }
 

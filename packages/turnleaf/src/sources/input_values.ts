@@ -37,5 +37,6 @@ export function wrongKind(value: unknown): BookError {
   const kind = Object.prototype.toString.call(value).slice(8, -1);
   return new BookError(
     `A book is not made of ${/^(HTML|[AEIOU])/.test(kind) ? "an" : "a"} ${kind}; give an address, a File or FileList, an ArrayBuffer, a list of images or of elements, or a manifest.`,
+    { code: "misused" },
   );
 }

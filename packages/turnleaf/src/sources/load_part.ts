@@ -18,6 +18,6 @@ export async function loadPart<Part>(part: Promise<Part>): Promise<Part> {
     const remedy = "update the browser, or load the web page again";
     if (!isFetching) throw unknownFailure("A part of the reader failed", error, remedy);
     const sentence = "A part of the reader could not be loaded; load the web page again.";
-    throw new BookError(sentence, { cause: error });
+    throw new BookError(sentence, { code: "partMissing", cause: error });
   }
 }

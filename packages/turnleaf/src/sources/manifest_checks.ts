@@ -56,5 +56,5 @@ export function isSide(value: unknown): value is number {
 
 /** Returns the error that names the place, what is wrong there and what to do. */
 export function fault(place: string, what: string, remedy: string): BookError {
-  return new BookError(`${place} ${what}; ${remedy}.`);
+  return new BookError(`${place} ${what}; ${remedy}.`, { code: "misused", source: place });
 }

@@ -1,6 +1,7 @@
 import { fileAt, fileIn } from "./book_file.ts";
 import { cleanText, nameOfUrl } from "./book_text.ts";
 import { openFile, openImages, prepareFor } from "./formats.ts";
+import { handedOut } from "./handed_out.ts";
 import { type Bytes, blobOf, elementsOf, filesOf, wrongKind } from "./input_values.ts";
 import { loadPart } from "./load_part.ts";
 import { type Manifest, type ManifestPage, parseManifest } from "./manifest.ts";
@@ -54,10 +55,17 @@ export async function openSource(input: BookInput, options: OpenOptions = {}): P
   const blob = blobOf(input) ?? aloneOf(input);
   if (blob) return await openBlob(blob, options);
   const files = filesOf(input);
-  if (files?.length === 0) throw new BookError("No file was chosen; choose one.");
+  if (files?.length === 0)
+    throw new BookError("No file was chosen; choose one.", { code: "empty" });
   if (!Array.isArray(files ?? input) && !isManifest(input)) throw wrongKind(input);
   const manifest = parseManifest(files ?? input, baseOf(options), options.name ?? "This book");
   return await openImages(manifest);
+}
+
+/** As `openSource`, for a program, which may put a Proxy around what it gets. */
+export async function openHandedOut(input: BookInput, options: OpenOptions): Promise<PageSource> {
+  const source = await openSource(input, options);
+  return source === input ? source : handedOut(source);
 }
 
 function isSource(value: unknown): value is PageSource {
@@ -98,16 +106,21 @@ async function openBlob(blob: Blob, options: OpenOptions): Promise<PageSource> {
 function resolve(address: string, options: OpenOptions): string {
   const name = cleanText(address, 80) || "An empty address";
   if (/^\[object \w+\]$/.test(name)) {
-    throw new BookError(`src is an address, and not ${name.slice(8, -1)}; set pages instead.`);
+    throw new BookError(`src is an address, and not ${name.slice(8, -1)}; set pages instead.`, {
+      code: "misused",
+    });
   }
   let url: URL;
   try {
     url = new URL(address, baseOf(options));
   } catch {
-    throw new BookError(`${name} is no address; correct it.`);
+    throw new BookError(`${name} is no address; correct it.`, { code: "misused", source: name });
   }
   if (/^(https?|blob|file):$/.test(url.protocol) || /^data:/i.test(url.href)) return url.href;
-  throw new BookError(`${name} is not an address of the web; use http or https.`);
+  throw new BookError(`${name} is not an address of the web; use http or https.`, {
+    code: "misused",
+    source: name,
+  });
 }
 
 function baseOf(options: OpenOptions): string {

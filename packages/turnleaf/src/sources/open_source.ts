@@ -12,6 +12,6 @@ import type { PageSource } from "./page_source.ts";
  * @param options how it is opened
  */
 export async function openSource(input: BookInput, options: OpenOptions = {}): Promise<PageSource> {
-  const { openSource } = await loadPart(import("./open.ts"));
-  return await openSource(input, options);
+  const { openHandedOut } = await loadPart(import("./open.ts"));
+  return await openHandedOut(input, options);
 }

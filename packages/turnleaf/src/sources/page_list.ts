@@ -270,7 +270,10 @@ export class PageList implements PageSource {
   splice(at: number, count: number, source: PageSource | null): NewIndex {
     const { length } = this.#entries;
     if (!Number.isInteger(at) || !(at >= 0 && count >= 0 && at + count <= length)) {
-      throw new BookError(`${this.title} has pages 1 to ${length} alone; name those.`);
+      throw new BookError(`${this.title} has pages 1 to ${length} alone; name those.`, {
+        code: "noPage",
+        source: this.title,
+      });
     }
     const added = source ? entriesOf(source) : [];
     const removed = new Set(this.#entries.slice(at, at + count));
@@ -323,7 +326,8 @@ export class PageList implements PageSource {
    */
   takeOut(pages: ListedPages): NewIndex {
     const present = pages.filter((page) => this.indexOf(page) !== null);
-    if (present.length === 0) throw new BookError("These pages were removed; name others.");
+    if (present.length === 0)
+      throw new BookError("These pages were removed; name others.", { code: "noPage" });
     checkCount(this.pageCount - present.length);
     for (const page of present) page.isOut = true;
     return this.#change(this.#all);
@@ -428,7 +432,11 @@ export class PageList implements PageSource {
 
   async #of<T>(index: number, ask: (source: PageSource, own: number) => Promise<T>): Promise<T> {
     const entry = this.#entries[index];
-    if (!entry) throw new BookError(`${this.title} has no page ${index + 1}; turn to another.`);
+    if (!entry)
+      throw new BookError(`${this.title} has no page ${index + 1}; turn to another.`, {
+        code: "noPage",
+        source: this.title,
+      });
     return await ask(entry.source, entry.index);
   }
 
@@ -450,8 +458,10 @@ export class PageList implements PageSource {
 
 /** @throws BookError if a list may not have so many pages */
 function checkCount(pages: number): void {
-  if (pages === 0) throw new BookError("A book needs a page; leave one of them.");
-  if (pages > mostPages) throw new BookError(`A book has ${mostPages} pages at most; add fewer.`);
+  if (pages === 0)
+    throw new BookError("A book needs a page; leave one of them.", { code: "noPage" });
+  if (pages > mostPages)
+    throw new BookError(`A book has ${mostPages} pages at most; add fewer.`, { code: "tooLarge" });
 }
 
 /** Returns a source's pages as those of a list. */

@@ -338,8 +338,70 @@ export interface PageSource {
   close(): void;
 }
 
-/** An error whose message is one clear sentence that names the file and what to do. */
+/**
+ * What kind of error a `BookError` is: nothing is there (`absent`), it may not be read
+ * (`forbidden`), the server failed otherwise (`server`), it could not be reached
+ * (`unreachable`); the file is no longer there (`gone`), `damaged`, `empty`, `tooLarge`, of an
+ * `unsupported` format, `locked` by a password, `copyProtected`; the browser did not start a script
+ * (`blocked`), a part of the viewer is missing (`partMissing`), nothing can be heard (`silent`);
+ * the book is `closed`, it has `noPage` of that number, something was given that cannot be used
+ * (`misused`); or another, `failed`.
+ */
+export type BookErrorCode =
+  | "absent"
+  | "blocked"
+  | "closed"
+  | "copyProtected"
+  | "damaged"
+  | "empty"
+  | "failed"
+  | "forbidden"
+  | "gone"
+  | "locked"
+  | "misused"
+  | "noPage"
+  | "partMissing"
+  | "server"
+  | "silent"
+  | "tooLarge"
+  | "unreachable"
+  | "unsupported";
+
+/** What a program may ask of an error. */
+export interface BookErrorDetail {
+  /** What kind of error it is; the default is "failed". */
+  readonly code?: BookErrorCode;
+  /** What the server responded, such as 404. */
+  readonly status?: number;
+  /** The page that it is about, from 1. */
+  readonly page?: number;
+  /** The book, file or address that it is about, as sentences name it. */
+  readonly source?: string;
+}
+
+/** An error whose message is one clear sentence, in English, that names the file and what to do. */
 export class BookError extends Error {
   /** Distinguishes it from other errors. */
   override readonly name = "BookError";
+  /** What kind of error it is. */
+  readonly code: BookErrorCode;
+  /** What the server responded, such as 404, if that is the error. */
+  readonly status: number | undefined;
+  /** The page that it is about, from 1, if it is about one. */
+  readonly page: number | undefined;
+  /** The book, file or address that it is about, as its sentence names it, if that is known. */
+  readonly source: string | undefined;
+
+  /**
+   * @param message the sentence
+   *
+   * @param detail what a program may ask, and the error's `cause`
+   */
+  constructor(message: string, detail: BookErrorDetail & ErrorOptions = {}) {
+    super(message, "cause" in detail ? { cause: detail.cause } : undefined);
+    this.code = detail.code ?? "failed";
+    this.status = detail.status;
+    this.page = detail.page;
+    this.source = detail.source;
+  }
 }

@@ -142,7 +142,7 @@ async function startThread(name: string, { pdfWorker, signal }: PdfOptions): Pro
   } catch (error) {
     signal?.throwIfAborted();
     if (error instanceof WorkerNotStarted) throw notStarted(name, pdfWorker, error);
-    throw unknownFailure(`${name} cannot be read`, error, remedy);
+    throw unknownFailure(`${name} cannot be read`, error, remedy, { source: name });
   }
 }
 
@@ -196,10 +196,15 @@ function detailsOf(
 async function describe(task: PDFDocumentLoadingTask, input: PdfInput): Promise<Description> {
   const document = await task.promise;
   const count = document.numPages;
-  if (count < 1) throw new BookError(`${input.name} has no pages; choose another file.`);
+  if (count < 1)
+    throw new BookError(`${input.name} has no pages; choose another file.`, {
+      code: "empty",
+      source: input.name,
+    });
   if (count > limits.pages) {
     throw new BookError(
       `${input.name} has ${count} pages; split it into ones of at most ${limits.pages}.`,
+      { code: "tooLarge", source: input.name },
     );
   }
   const targets = new PdfTargets(document);
@@ -398,12 +403,20 @@ class PdfSource implements PageSource {
   #sizeOf(page: PDFPageProxy, index: number): PageSize {
     const { width, height } = page.getViewport({ scale: 1 });
     if (isPageSize({ width, height })) return { width, height };
-    throw new BookError(`Page ${index + 1} of ${this.#name} has no usable size; repair the file.`);
+    throw new BookError(`Page ${index + 1} of ${this.#name} has no usable size; repair the file.`, {
+      code: "damaged",
+      page: index + 1,
+      source: this.#name,
+    });
   }
 
   async #page(index: number, signal?: AbortSignal): Promise<PDFPageProxy> {
     signal?.throwIfAborted();
-    if (this.#closed) throw new BookError(`${this.#name} is closed; open it again.`);
+    if (this.#closed)
+      throw new BookError(`${this.#name} is closed; open it again.`, {
+        code: "closed",
+        source: this.#name,
+      });
     try {
       const page = this.#thread.orFailed(this.#document.getPage(index + 1));
       return await (signal ? orAborted(page, signal) : page);
@@ -428,14 +441,15 @@ class PdfSource implements PageSource {
     if (signal?.aborted) return signal.reason;
     const { pdfjs } = this.#thread;
     const page = `Page ${index + 1} of ${this.#name}`;
+    const detail = { page: index + 1, source: this.#name };
     if (isDamage(pdfjs, error)) {
       const sentence = `${page} is damaged and cannot be drawn; repair the file or get it again.`;
-      return new BookError(sentence, { cause: error });
+      return new BookError(sentence, { ...detail, code: "damaged", cause: error });
     }
     if (error instanceof pdfjs.ResponseException || isUnreachable(error)) {
       return sentenceFor(pdfjs, error, this.#name);
     }
-    return unknownFailure(`${page} cannot be drawn`, error, remedy);
+    return unknownFailure(`${page} cannot be drawn`, error, remedy, detail);
   }
 }
 
@@ -451,6 +465,7 @@ function grownTooLarge(task: PDFDocumentLoadingTask, { name }: PdfInput): Promis
 function tooLarge(name: string): BookError {
   return new BookError(
     `${name} is larger than ${Math.floor(limits.pdfBytes / 1e6)} MB; split it and open a part.`,
+    { code: "tooLarge", source: name },
   );
 }
 
@@ -468,16 +483,17 @@ function sentenceFor(
   if (error instanceof pdfjs.PasswordException) {
     return new BookError(
       `${name} is protected by a password; remove the password and open it again.`,
+      { code: "locked", source: name },
     );
   }
-  if (error instanceof pdfjs.ResponseException) return new BookError(httpError(error.status, name));
+  if (error instanceof pdfjs.ResponseException) return httpError(error.status, name);
   if (isUnreachable(error)) return brokeOff(name);
   if (error instanceof WorkerNotStarted) return notStarted(name, pdfWorker, error);
   if (isDamage(pdfjs, error)) {
     const sentence = `${name} is damaged or no PDF; repair the file or get it again.`;
-    return new BookError(sentence, { cause: error });
+    return new BookError(sentence, { code: "damaged", source: name, cause: error });
   }
-  return unknownFailure(`${name} cannot be read`, error, remedy);
+  return unknownFailure(`${name} cannot be read`, error, remedy, { source: name });
 }
 
 /** Returns whether an error of pdf.js means that the file is damaged. */

@@ -27,5 +27,6 @@ export async function rejectPortfolio(
   const rest = files.length > names.length ? " and others" : "";
   throw new BookError(
     `${name} is a portfolio, which holds ${names.join(", ")}${rest}; save them by a program that shows portfolios, and open one.`,
+    { code: "unsupported", source: name },
   );
 }

@@ -139,6 +139,6 @@ export function notStarted(name: string, address: string | undefined, cause: Err
   }
   return new BookError(
     `${name} cannot be read, as the browser did not start the script that reads it; ${remedy}.`,
-    { cause },
+    { code: "blocked", source: name, cause },
   );
 }

@@ -23,6 +23,8 @@ export interface BookShape {
   readonly cloth: string;
   /** Strength of the shadows of leaves on pages and on each other, 0 to 1. */
   readonly shadows: number;
+  /** Whether it is seen from right above, and closed where it lies when it is open; otherwise from where a reader sits. */
+  readonly fromAbove: boolean;
   /** Scans are never drawn brighter than they are. */
   readonly kind: "typeset" | "scan";
 }

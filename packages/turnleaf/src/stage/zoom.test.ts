@@ -12,6 +12,7 @@ const shape: BookShape = {
   rim: 0.0032,
   cloth: "#6a2a26",
   shadows: 1,
+  fromAbove: false,
   kind: "typeset",
   quarterTurned: false,
   alone: 0,

@@ -34,6 +34,8 @@ export interface BindingOptions extends LayoutOptions {
   readonly cloth: string;
   /** Strength of the shadows of leaves on pages, 0 to 1. */
   readonly shadows: number;
+  /** From where it is seen: where a reader sits, or right above. */
+  readonly camera: "reader" | "overhead";
 }
 
 /** The properties of a book that no binding changes. */
@@ -74,7 +76,7 @@ export function layOutBinding(
 ): BindingLayout {
   const { source } = book;
   const { pageCount, kind } = source;
-  const { cover, cloth, shadows } = options;
+  const { cover, cloth, shadows, camera } = options;
   const edge = edgeFor(options.binding, source);
   const isQuarterTurned = edge === "top" || edge === "bottom";
   const requested = options.layout === "auto" ? (source.layout ?? "auto") : options.layout;
@@ -101,6 +103,7 @@ export function layOutBinding(
     rim: binding.hardCover ? caseSizes.rim : 0,
     cloth,
     shadows,
+    fromAbove: camera === "overhead",
     kind,
     quarterTurned,
     alone: layout === "spread" ? 0 : reversed ? -1 : 1,

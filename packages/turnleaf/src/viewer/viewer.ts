@@ -108,12 +108,13 @@ export class Viewer {
     this.#camera = new CameraMotion(stage);
     this.#bitmaps = new PageBitmaps(source, book.leaf, {
       slowText: options.slowText,
+      failureText: options.failureText,
       onArrive: (page) => {
         this.#showArrived();
-        const sentence = this.#bitmaps.failure(page);
-        if (sentence === null || this.#destroyed) return;
+        const error = this.#bitmaps.failure(page);
+        if (error === null || this.#destroyed) return;
         const isOpen = pagesAt(this.binding, this.turning.spread).includes(page);
-        options.onFailure(page, sentence, isOpen);
+        options.onFailure(page, error, isOpen);
       },
       onDrop: (picture) => this.#stage.forget(picture),
     });
@@ -243,10 +244,14 @@ export class Viewer {
   get bounds(): { readonly from: Place; readonly to: Place } {
     const { width, height, alone } = this.#bound.shape;
     const [left, right] = [alone === 1 ? 0 : -width, alone === -1 ? 0 : width];
-    const a = this.#stage.projectOpen([left, height, 0]);
-    const b = this.#stage.projectOpen([right, 0, 0]);
-    const [x, y] = [Math.min(a.x, b.x), Math.min(a.y, b.y)];
-    return { from: { x, y }, to: { x: Math.max(a.x, b.x), y: Math.max(a.y, b.y) } };
+    const corners = [left, right].flatMap((x) =>
+      [0, height].map((y) => this.#stage.projectOpen([x, y, 0])),
+    );
+    const [xs, ys] = [corners.map(({ x }) => x), corners.map(({ y }) => y)];
+    return {
+      from: { x: Math.min(...xs), y: Math.min(...ys) },
+      to: { x: Math.max(...xs), y: Math.max(...ys) },
+    };
   }
 
   /** The drags of pointers on it; replaced with every binding. */

@@ -4,6 +4,7 @@ import type { DogEar } from "../book/dog_ears.ts";
 import type { Paper } from "../book/paper.ts";
 import type { TearLine } from "../engine/shapes.ts";
 import type { ModelChoice } from "../leaf_models/model_choice.ts";
+import type { BookError } from "../sources/page_source.ts";
 import type { BookPose } from "../stage/book_pose.ts";
 import type { BindingOptions } from "./bound_book.ts";
 
@@ -41,16 +42,15 @@ export interface ViewerOptions extends Partial<BindingOptions> {
   readonly onStart: (low: number, high: number, forward: boolean) => void;
   /** The book has come to rest at a spread, and nothing more is planned. */
   readonly onRest: (from: number, to: number) => void;
-  /**
-   * A page (from 1) cannot be shown, whether it lies open or not; the sentence
-   * gives the reason.
-   */
-  readonly onFailure: (page: number, sentence: string, isOpen: boolean) => void;
+  /** A page (from 1) cannot be shown, whether it lies open or not. */
+  readonly onFailure: (page: number, error: BookError, isOpen: boolean) => void;
   /**
    * Returns the sentence for a page that takes long to draw, from its label.
    * The default is the label alone.
    */
   readonly slowText?: (label: string) => string;
+  /** Returns the sentence for a page (from 1) that cannot be shown. The default is the error's own. */
+  readonly failureText?: (error: BookError, page: number) => string;
   /** Returns whether corners may be folded by hand; asked while one is held. The default is no. */
   readonly foldsByHand?: () => boolean;
   /**
@@ -82,6 +82,7 @@ export const defaultBinding: BindingOptions = {
   cover: "hard",
   cloth: "#6a2a26",
   shadows: 1,
+  camera: "reader",
   binding: "auto",
   layout: "auto",
   offset: 1,

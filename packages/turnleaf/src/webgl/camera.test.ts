@@ -11,6 +11,7 @@ const shape: BookShape = {
   rim: 0.0032,
   cloth: "#6a2a26",
   shadows: 1,
+  fromAbove: false,
   kind: "typeset",
   quarterTurned: false,
   alone: 0,
@@ -124,4 +125,13 @@ test("the fit touches its bounds and passes none", () => {
     room.push(0.9 - Math.abs(x), 0.96 - y, y + 0.84);
   }
   expect(Math.min(...room)).toBeCloseTo(0, 9);
+});
+
+test("from overhead the closed book is seen as the open one is, its edges upright", () => {
+  const above = { ...shape, fromAbove: true };
+  const open = frameBook(above, framing({}), 1.6, rim);
+  for (const closed of [{ closedRight: 1 }, { closedLeft: 0.4 }]) {
+    expect(frameBook(above, framing(closed), 1.6, rim)).toEqual(open);
+  }
+  expect(open.back).toEqual([0, expect.closeTo(0), 1]);
 });

@@ -96,14 +96,16 @@ export function frameBook(
   rim: number,
   overhead = 0,
 ): View {
-  const right = ease(framing.closedRight);
-  const left = ease(framing.closedLeft);
+  const { fromAbove } = shape;
+  const right = fromAbove ? 0 : ease(framing.closedRight);
+  const left = fromAbove ? 0 : ease(framing.closedLeft);
+  const steep = fromAbove ? 1 : overhead;
   const closed = Math.min(1, right + left);
   const { alone } = shape;
   const opened = elevationOf(shape);
   const elevationOfReader = opened + (closedElevation - opened) * closed;
-  const elevation = elevationOfReader + (90 - elevationOfReader) * overhead;
-  const azimuth = closedAzimuth * (left - right) * (1 - overhead);
+  const elevation = elevationOfReader + (90 - elevationOfReader) * steep;
+  const azimuth = closedAzimuth * (left - right) * (1 - steep);
   const axes = axesOf(elevation * radians, azimuth * radians, shape.quarterTurned);
   const open =
     alone === 0

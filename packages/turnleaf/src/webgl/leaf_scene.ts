@@ -86,6 +86,7 @@ export class LeafScene {
       alone: 0,
       cloth: "#6a2a26",
       shadows: 1,
+      fromAbove: false,
       kind: "typeset",
     };
     this.#textures = new PictureTextures(this.#renderer);

@@ -16,6 +16,7 @@ const shape: BookShape = {
   rim: 0,
   cloth: "#6a2a26",
   shadows: 1,
+  fromAbove: false,
   kind: "scan",
   quarterTurned: false,
   alone: 0,

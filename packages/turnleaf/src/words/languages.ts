@@ -1,19 +1,47 @@
 /** Selects the element's language, and fills in texts. */
 
-import type { ElementTexts, Texts } from "./texts.ts";
+import type { ElementTexts, ErrorTexts, Plural, Texts } from "./texts.ts";
 
-const added = new Map<string, Texts>();
+/** Texts that a page has added, and those built in that are loaded, by their tags. */
+const added = new Map<string, Partial<Texts>>();
+const loaded = new Map<string, Texts>();
+
+/** The languages that are built in besides English, each loaded when an element speaks it. */
+const builtIn: Readonly<Record<string, () => Promise<{ readonly texts: Texts }>>> = {
+  ar: () => import("./texts_ar.ts"),
+  de: () => import("./texts_de.ts"),
+  es: () => import("./texts_es.ts"),
+  fr: () => import("./texts_fr.ts"),
+  ja: () => import("./texts_ja.ts"),
+  zh: () => import("./texts_zh.ts"),
+};
 
 /**
  * Adds a language to every `<turnleaf-book>`, or replaces texts of one.
  * Elements use it from when they are next shown or their `lang` changes.
  *
- * @param tag BCP 47, such as "de" or "pt-BR"; "pt" serves every kind of
+ * @param tag BCP 47, such as "nl" or "pt-BR"; "pt" serves every kind of
  * Portuguese
- * @param texts every text of the language
+ * @param texts the texts of the language; for those that are missing a text of the
+ * language without its region stands in, or the English one
  */
-export function addLanguage(tag: string, texts: Texts): void {
+export function addLanguage(tag: string, texts: Partial<Texts>): void {
   added.set(tag.toLowerCase(), texts);
+}
+
+/**
+ * Loads the texts that are built in of a language. Resolves to whether any came: not if it is
+ * English or unknown, if they were there before, or if they could not be loaded.
+ */
+export async function loadLanguage(tag: string): Promise<boolean> {
+  const name = kindsOf(tag).find((kind) => Object.hasOwn(builtIn, kind));
+  if (name === undefined || loaded.has(name)) return false;
+  try {
+    loaded.set(name, (await builtIn[name]()).texts);
+    return true;
+  } catch {
+    return false;
+  }
 }
 
 const en: ElementTexts = {
@@ -30,34 +58,41 @@ const en: ElementTexts = {
   leave: "Open it",
 };
 
-const zh: ElementTexts = {
-  opening: "正在打开书籍…",
-  missing: "这里还没有书：请设置 src 或 pages。",
-  pageOpen: "第 {pages} 页，共 {n} 页",
-  pagesOpen: "第 {pages} 页，共 {n} 页",
-  back: "封底，共 {n} 页",
-  notOpened: "无法打开此书，请重新加载页面。",
-  pageNamed: "第 {label} 页",
-  slowPage: "第 {label} 页仍在绘制中，请稍候。",
-  leaving: "此链接指向书外：{address}",
-  leave: "打开",
-};
-
 /** Returns the element's own texts in a language. */
-export const elementTexts = (tag: string): ElementTexts => textsFor(tag, { en, zh });
+export const elementTexts = (tag: string): ElementTexts => textsFor(tag, en);
+
+/** Returns the sentence for errors with a code, in a language; undefined if it has none. */
+export const errorText = (tag: string, code: keyof ErrorTexts): string | undefined =>
+  textsFor<{ readonly errors: Partial<ErrorTexts> }>(tag, { errors: {} }).errors[code];
 
 /**
- * Returns the texts for a language: the first of those added, those built in,
- * those of the language without its region, English.
+ * Returns the texts for a language, each the first there is: added, built in, likewise of the
+ * language without its region, English.
  */
-export function textsFor<T>(tag: string, own: { readonly [tag: string]: T; readonly en: T }): T {
-  let name = tag.toLowerCase();
-  while (name !== "") {
-    const texts = (added.get(name) as T | undefined) ?? (Object.hasOwn(own, name) && own[name]);
-    if (texts) return texts;
-    name = name.slice(0, Math.max(name.lastIndexOf("-"), 0));
+export function textsFor<T extends object>(tag: string, english: T): T {
+  const kinds = kindsOf(tag).flatMap((kind) => [added.get(kind), loaded.get(kind)]);
+  return merged(english, kinds.reverse());
+}
+
+/** Returns texts with those of others in their place, of the last that has one of the same form. */
+function merged<T extends object>(english: T, others: readonly unknown[]): T {
+  const texts = { ...english } as Record<string, unknown>;
+  for (const other of others) {
+    for (const [name, text] of Object.entries(Object(other))) {
+      if (name === "errors") texts[name] = merged(Object(texts[name]), [text]);
+      else if (isPlural(texts[name]) ? isPlural(text) : typeof text === "string")
+        texts[name] = text;
+    }
   }
-  return own.en;
+  return texts as T;
+}
+
+const isPlural = (text: unknown): text is Plural => typeof Object(text).other === "string";
+
+/** Returns the tags that serve a language, the nearest first: "pt-br" and "pt". */
+function kindsOf(tag: string): string[] {
+  const parts = tag.toLowerCase().split("-");
+  return parts.map((_, k) => parts.slice(0, parts.length - k).join("-"));
 }
 
 /** Returns the language of an element: its own, an ancestor's, or the browser's. */

@@ -115,5 +115,37 @@ export interface ControlTexts {
   readonly wait: string;
 }
 
+/**
+ * What the element says of a `BookError` in other languages than English, by its `code`; the
+ * error's own `message` is English and says more. `{source}` is the book, file or address, and
+ * `{status}` what its server responded.
+ */
+export interface ErrorTexts {
+  readonly absent: string;
+  readonly blocked: string;
+  readonly closed: string;
+  readonly copyProtected: string;
+  readonly damaged: string;
+  readonly empty: string;
+  /** Unforeseen: `{detail}` is the English sentence. */
+  readonly failed: string;
+  readonly forbidden: string;
+  readonly gone: string;
+  readonly locked: string;
+  /** Something was given that cannot be used: `{detail}` is the English sentence. */
+  readonly misused: string;
+  readonly noPage: string;
+  readonly partMissing: string;
+  readonly server: string;
+  readonly silent: string;
+  readonly tooLarge: string;
+  readonly unreachable: string;
+  readonly unsupported: string;
+  /** In place of `{source}` if that is unknown. */
+  readonly thisBook: string;
+  /** Around a sentence about one page: `{page}` is its number, `{sentence}` the sentence. */
+  readonly onPage: string;
+}
+
 /** Every text, so that a language is added whole. */
-export type Texts = ElementTexts & ControlTexts;
+export type Texts = ElementTexts & ControlTexts & { readonly errors: ErrorTexts };

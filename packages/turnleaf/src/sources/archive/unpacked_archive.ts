@@ -58,7 +58,11 @@ export async function openUnpacked(
   bounds: UnpackedBounds = usualBounds,
 ): Promise<Archive> {
   const obstacle = obstacleIn(await bytesOf(file.slice(0, marksLength), name), file.size);
-  if (obstacle) throw new BookError(`${name} ${obstacles[obstacle]}`);
+  if (obstacle)
+    throw new BookError(`${name} ${obstacles[obstacle]}`, {
+      code: obstacle === "encrypted" ? "locked" : "damaged",
+      source: name,
+    });
   const [address, packed] = await Promise.all([
     loadPart(workerScript()),
     loadPart(import("./unpacker/unpacker.wasm")),
@@ -115,7 +119,10 @@ function unpackInWorker(
     const take = (message: WorkerMessage): void => {
       switch (message.kind) {
         case "started":
-          failAfter(time, () => new BookError(`${name} ${tooLong(time)}`));
+          failAfter(
+            time,
+            () => new BookError(`${name} ${tooLong(time)}`, { code: "tooLarge", source: name }),
+          );
           break;
         case "file":
           add(message.path, message.bytes);
@@ -130,7 +137,10 @@ function unpackInWorker(
           fail(
             message.stop === "damaged"
               ? notUnpacked(name, message.detail)
-              : new BookError(`${name} ${stops(task.bounds)[message.stop]}`),
+              : new BookError(`${name} ${stops(task.bounds)[message.stop]}`, {
+                  code: message.stop === "encrypted" ? "locked" : "tooLarge",
+                  source: name,
+                }),
           );
           break;
         case "forbidden":
@@ -194,7 +204,11 @@ class UnpackedArchive implements Archive {
 
   #file(name: string): Blob {
     const file = this.#files.get(name);
-    if (!file) throw new BookError(`${this.#name} has no file ${name}; get it again.`);
+    if (!file)
+      throw new BookError(`${this.#name} has no file ${name}; get it again.`, {
+        code: "damaged",
+        source: this.#name,
+      });
     if (file instanceof BookError) throw file;
     return file;
   }
@@ -223,6 +237,7 @@ function tooLong(time: number): string {
 function tooLarge(path: string, name: string, most: number): BookError {
   return new BookError(
     `${quoted(path)} in ${name} is larger than ${megabytes(most)} when unpacked; make it smaller.`,
+    { code: "tooLarge" },
   );
 }
 
@@ -232,14 +247,19 @@ function notUnpacked(what: string, detail: string): BookError {
   if (/support/i.test(said)) {
     return new BookError(
       `${what} is packed in a way that cannot be read (${said}); pack it again as ZIP (CBZ).`,
+      { code: "unsupported", source: what },
     );
   }
   if (/memory|allocat/i.test(said)) {
     return new BookError(
       `${what} needs more memory to unpack than a book may have (${said}); pack it again as ZIP (CBZ).`,
+      { code: "tooLarge", source: what },
     );
   }
-  return new BookError(`${what} is damaged (${said}); repair it or get it again.`);
+  return new BookError(`${what} is damaged (${said}); repair it or get it again.`, {
+    code: "damaged",
+    source: what,
+  });
 }
 
 /** Returns the error for a worker that the browser did not start, or in which it forbids WASM. */
@@ -253,7 +273,7 @@ function notStarted(name: string, cause: unknown): BookError {
   }
   return new BookError(
     `${name} cannot be read, as the browser did not start the script that unpacks it; ${remedy}.`,
-    { cause },
+    { code: "blocked", source: name, cause },
   );
 }
 

@@ -28,7 +28,10 @@ export async function openZip(file: Blob, name: string): Promise<Archive> {
       count += 1;
       if (count > limits.archiveEntries) {
         const most = limits.archiveEntries;
-        throw new BookError(`${name} has more than ${most} files; split it and open a part.`);
+        throw new BookError(`${name} has more than ${most} files; split it and open a part.`, {
+          code: "tooLarge",
+          source: name,
+        });
       }
       const path = entry.directory ? null : cleanPath(entry.filename);
       if (path !== null && !entries.has(path)) entries.set(path, entry as FileEntry);
@@ -65,12 +68,20 @@ class ZipArchive implements Archive {
   /** @param enough number of bytes after which the rest is not unpacked */
   async #unpack(name: string, most: number, enough: number): Promise<Uint8Array<ArrayBuffer>> {
     const entry = this.#entries.get(name);
-    if (!entry) throw new BookError(`${this.#name} has no file ${name}; get it again.`);
+    if (!entry)
+      throw new BookError(`${this.#name} has no file ${name}; get it again.`, {
+        code: "damaged",
+        source: this.#name,
+      });
     if (entry.encrypted) {
-      throw new BookError(`${this.#name} is protected by a password; unpack it first.`);
+      throw new BookError(`${this.#name} is protected by a password; unpack it first.`, {
+        code: "locked",
+        source: this.#name,
+      });
     }
     const tooLarge = new BookError(
       `${name} in ${this.#name} is larger than ${Math.floor(most / (1 << 20))} MB when unpacked; make it smaller.`,
+      { code: "tooLarge", source: name },
     );
     if (entry.uncompressedSize > most) throw tooLarge;
     const longer = new Error("It is longer than the archive says.");
@@ -103,5 +114,8 @@ class ZipArchive implements Archive {
 }
 
 function damaged(what: string, error: unknown): BookError {
-  return unknownFailure(`${what} is damaged`, error, "repair it or get it again");
+  return unknownFailure(`${what} is damaged`, error, "repair it or get it again", {
+    code: "damaged",
+    source: what,
+  });
 }

@@ -38,18 +38,26 @@ export async function openComic(archive: Archive, file: Blob, name: string): Pro
   try {
     const files = imagesIn(archive.names);
     if (files.length === 0) {
-      throw new BookError(`${name} is an archive with no book in it; open another.`);
+      throw new BookError(`${name} is an archive with no book in it; open another.`, {
+        code: "empty",
+        source: name,
+      });
     }
     if (files.length > limits.pages) {
       throw new BookError(
         `${name} has ${files.length} images; split it into books of at most ${limits.pages}.`,
+        { code: "tooLarge", source: name },
       );
     }
     const info = await readInfo(archive);
     const scans = await measureAll(archive, files, info);
     const ratio = usualRatio(scans);
     const pages = scans.flatMap((scan) => pagesOf(scan, info.direction, ratio));
-    if (pages.length === 0) throw new BookError(`${name} marks all its pages as deleted.`);
+    if (pages.length === 0)
+      throw new BookError(`${name} marks all its pages as deleted.`, {
+        code: "empty",
+        source: name,
+      });
     return new ImageSource({
       name,
       title: info.title || name.replace(/\.(cb[rz7]|rar|7z)$/i, "") || name,

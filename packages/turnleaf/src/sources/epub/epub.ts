@@ -56,7 +56,10 @@ export async function openEpub(
     return await FlowSource.open(await readEpub(book, file, name), typography);
   } catch (error) {
     archive.close();
-    throw unknownFailure(`${name} is damaged or no EPUB`, error, "repair it or get it again");
+    throw unknownFailure(`${name} is damaged or no EPUB`, error, "repair it or get it again", {
+      code: "damaged",
+      source: name,
+    });
   }
 }
 
@@ -65,7 +68,11 @@ async function readEpub(archive: Archive, file: Blob, name: string): Promise<Flo
   const paths = new FilePaths(archive.names);
   const plain = new EpubFiles(archive, async () => {});
   const packagePath = await packageOf(archive);
-  if (packagePath === null) throw new BookError(`${name} has no package (.opf); get it again.`);
+  if (packagePath === null)
+    throw new BookError(`${name} has no package (.opf); get it again.`, {
+      code: "damaged",
+      source: name,
+    });
   const named = new NamedFiles(paths);
   const wellFormed = async (path: string): Promise<string> => {
     const isNavigation = /\.x?html?$/i.test(path);
@@ -106,6 +113,7 @@ async function readEpub(archive: Archive, file: Blob, name: string): Promise<Flo
   if (decoder.isProtected(resources.spine.map(({ idref }) => items.get(idref)?.href ?? ""))) {
     throw new BookError(
       `${name} is protected against copying (DRM); open it in its shop's reader.`,
+      { code: "copyProtected", source: name },
     );
   }
   const manifest = { items, fallbacks };
@@ -151,13 +159,14 @@ async function readEpub(archive: Archive, file: Blob, name: string): Promise<Flo
     ...rest.filter((one) => one.isAside),
   ];
   if (ordered.every(({ missing }) => missing !== "")) {
-    throw new BookError(ordered[0]?.missing ?? `${name} has no chapters; get it again.`);
+    const sentence = ordered[0]?.missing ?? `${name} has no chapters; get it again.`;
+    throw new BookError(sentence, { code: "empty", source: name });
   }
   const rolls = rollsOf(ordered);
   const sections = ordered.map((chapter, index): FlowSection => {
     const { href, missing, isFixed, side } = chapter;
     const load = async (): Promise<FlowContent> => {
-      if (missing !== "") throw new BookError(missing);
+      if (missing !== "") throw new BookError(missing, { code: "partMissing", source: name });
       return await loadChapter(files, chapter, name);
     };
     const roll = rolls[index];
@@ -187,7 +196,10 @@ async function readEpub(archive: Archive, file: Blob, name: string): Promise<Flo
   const readMedium = async (path: string, kind: RegExp): Promise<Blob> => {
     const type = byPath.get(path)?.mediaType ?? "";
     if (!kind.test(type)) {
-      throw new BookError(`${path} in ${name} is no recording; get the book again.`);
+      throw new BookError(`${path} in ${name} is no recording; get the book again.`, {
+        code: "damaged",
+        source: path,
+      });
     }
     return new Blob([await archive.read(path)], { type });
   };

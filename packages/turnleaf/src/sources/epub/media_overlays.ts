@@ -39,7 +39,10 @@ export async function clipsOf(
   for (const path of new Set(paths)) {
     const { document, damagedLine } = await readMarkup(await book.text(path), "application/xml");
     if (damagedLine !== undefined) {
-      throw new BookError(`${path} in ${book.name} is damaged; get the book again.`);
+      throw new BookError(`${path} in ${book.name} is damaged; get the book again.`, {
+        code: "damaged",
+        source: path,
+      });
     }
     checkPackage(document, `${path} in ${book.name}`);
     // Sequences are of structure alone: their parts are read in the document's order.

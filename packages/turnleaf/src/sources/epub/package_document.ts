@@ -19,7 +19,10 @@ export function checkPackage(document: Document, name: string): Document {
   const root = document.documentElement;
   const most = root?.localName === "package" ? mostElements : limits.elements;
   if (document.getElementsByTagName("*").length > most) {
-    throw new BookError(`${name} has a list of more than ${most} elements; split it.`);
+    throw new BookError(`${name} has a list of more than ${most} elements; split it.`, {
+      code: "tooLarge",
+      source: name,
+    });
   }
   if (root?.localName !== "package") return document;
   for (const attribute of [...root.attributes]) {

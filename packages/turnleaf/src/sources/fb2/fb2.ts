@@ -100,6 +100,7 @@ export async function openFb2(
       `${name} is damaged or no FictionBook`,
       error,
       "repair it or get it again",
+      { code: "damaged", source: name },
     );
   }
 }
@@ -115,15 +116,22 @@ async function readFb2(text: string, file: Blob, name: string): Promise<FlowBook
   const { document, damagedLine } = await readMarkup(withoutDoctype(text), "application/xml");
   if (damagedLine !== undefined) {
     const where = damagedLine === null ? "" : ` in line ${damagedLine}`;
-    throw new BookError(`${name} is damaged${where}; repair it or get it again.`);
+    throw new BookError(`${name} is damaged${where}; repair it or get it again.`, {
+      code: "damaged",
+      source: name,
+    });
   }
   if (document.getElementsByTagName("*").length > limits.elements) {
-    throw new BookError(`${name} has more than ${limits.elements} elements; split it.`);
+    throw new BookError(`${name} has more than ${limits.elements} elements; split it.`, {
+      code: "tooLarge",
+      source: name,
+    });
   }
   const root = document.documentElement;
   const info = childOf(childOf(root, "description"), "title-info");
   const parts = partsOf(root, info);
-  if (parts.length === 0) throw new BookError(`${name} has no text; get it again.`);
+  if (parts.length === 0)
+    throw new BookError(`${name} has no text; get it again.`, { code: "empty", source: name });
   const { places, outline } = readPlaces(parts);
   const files = filesOf(root);
   const language = cleanLanguage(childOf(info, "lang")?.textContent);

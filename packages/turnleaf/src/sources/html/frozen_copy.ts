@@ -107,7 +107,10 @@ class Copy {
     const style = this.#view.getComputedStyle(source);
     if (style.display === "none") return null;
     if (++this.#count > limits.elements) {
-      throw new BookError(`${this.#name} has too many elements to be drawn; divide it.`);
+      throw new BookError(`${this.#name} has too many elements to be drawn; divide it.`, {
+        code: "tooLarge",
+        source: this.#name,
+      });
     }
     const copy = this.#empty(source, style);
     if (!bare.test(source.localName)) {

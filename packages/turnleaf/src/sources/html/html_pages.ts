@@ -67,9 +67,12 @@ export class HtmlPages implements PageSource {
    */
   constructor(pages: readonly HTMLElement[], parent: Element | null = null) {
     const [first] = pages;
-    if (first === undefined) throw new BookError("No element was given; give one for each page.");
+    if (first === undefined)
+      throw new BookError("No element was given; give one for each page.", { code: "empty" });
     if (pages.length > limits.pages) {
-      throw new BookError(`A book has ${limits.pages} pages at most; give fewer elements.`);
+      throw new BookError(`A book has ${limits.pages} pages at most; give fewer elements.`, {
+        code: "tooLarge",
+      });
     }
     this.#pages = [...new Set(pages)];
     this.#parent = parent;
@@ -141,6 +144,7 @@ export class HtmlPages implements PageSource {
         `${name} could not be drawn`,
         error,
         "its motion shows no picture: allow data: in img-src of this web page's Content-Security-Policy",
+        { page: index + 1, source: this.title },
       );
     }
   }
@@ -186,19 +190,28 @@ export class HtmlPages implements PageSource {
   #page(index: number): HTMLElement {
     this.#throwIfClosed();
     const page = this.#pages[index];
-    if (!page) throw new BookError(`${this.title} has no page ${index + 1}; turn to another.`);
+    if (!page)
+      throw new BookError(`${this.title} has no page ${index + 1}; turn to another.`, {
+        code: "noPage",
+        source: this.title,
+      });
     return page;
   }
 
   #throwIfClosed(): void {
-    if (this.#ended.signal.aborted) throw new BookError(`${this.title} is closed; open it again.`);
+    if (this.#ended.signal.aborted)
+      throw new BookError(`${this.title} is closed; open it again.`, {
+        code: "closed",
+        source: this.title,
+      });
   }
 
   #copyOf(page: HTMLElement, name: string): Promise<FrozenCopy> {
     // What is painted on a canvas may be other than a moment ago.
     const known = page.querySelector("canvas") ? undefined : this.#copies.get(page);
     // Of a page that is not laid out there is nothing to keep.
-    if (page.offsetWidth === 0) throw new BookError(`${name} is not laid out; show the book.`);
+    if (page.offsetWidth === 0)
+      throw new BookError(`${name} is not laid out; show the book.`, { code: "misused" });
     const copy = known ?? freeze(page, name, this.#pixels);
     this.#copies.delete(page);
     this.#copies.set(page, copy);

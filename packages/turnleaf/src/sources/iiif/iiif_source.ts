@@ -132,7 +132,10 @@ class IiifSource implements PageSource {
   #page(index: number): CanvasPage {
     const page = this.#book.pages[index];
     if (this.#closed || !page) {
-      throw new BookError(`${this.#book.name} has no page ${index + 1} any more; open it again.`);
+      throw new BookError(`${this.#book.name} has no page ${index + 1} any more; open it again.`, {
+        code: "noPage",
+        source: this.#book.name,
+      });
     }
     return page;
   }
@@ -175,7 +178,11 @@ class IiifSource implements PageSource {
       if (!image.src) throw error;
       return null;
     }
-    throw new BookError(`${this.#place(index)} is described by no image; try again later.`);
+    throw new BookError(`${this.#place(index)} is described by no image; try again later.`, {
+      code: "empty",
+      page: index + 1,
+      source: this.#book.name,
+    });
   }
 
   async #paint(
@@ -214,7 +221,11 @@ class IiifSource implements PageSource {
         const blob = await this.#image(index, part.url, signal);
         await this.#pixels(index, blob);
         const bitmap = await createImageBitmap(blob).catch(() => {
-          throw new BookError(`${this.#place(index)} is damaged or no image; try again later.`);
+          throw new BookError(`${this.#place(index)} is damaged or no image; try again later.`, {
+            code: "damaged",
+            page: index + 1,
+            source: this.#book.name,
+          });
         });
         const from = info ? part.box : { x: 0, y: 0, width: bitmap.width, height: bitmap.height };
         const to = {
@@ -243,6 +254,7 @@ class IiifSource implements PageSource {
     if (isBounded({ width, height })) return { width, height };
     throw new BookError(
       `${this.#place(index)} has ${width} x ${height} pixels, more than can be shown; try another copy of the book.`,
+      { code: "tooLarge", page: index + 1, source: this.#book.name },
     );
   }
 
@@ -253,7 +265,11 @@ class IiifSource implements PageSource {
       bitmap.close();
       return { width, height };
     } catch {
-      throw new BookError(`${this.#place(index)} is damaged or no image; try again later.`);
+      throw new BookError(`${this.#place(index)} is damaged or no image; try again later.`, {
+        code: "damaged",
+        page: index + 1,
+        source: this.#book.name,
+      });
     }
   }
 

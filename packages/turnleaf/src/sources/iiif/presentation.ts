@@ -96,7 +96,10 @@ export function parsePresentation(
   const type = typeOf(value);
   if (type === "Collection") throw ofCollection(value, name, reading);
   if (/^Annotation/.test(type)) {
-    throw new BookError(`${name} has notes about a book; open the manifest of the book.`);
+    throw new BookError(`${name} has notes about a book; open the manifest of the book.`, {
+      code: "unsupported",
+      source: name,
+    });
   }
   const manifest =
     lengthOf(value.width) > 0 && type !== "Manifest" ? imageAlone(value, base) : value;
@@ -106,10 +109,15 @@ export function parsePresentation(
   if (count > limits.pages) {
     throw new BookError(
       `${name} lists ${count} canvases; split it into books of at most ${limits.pages}.`,
+      { code: "tooLarge", source: name },
     );
   }
   const canvases = objectsIn(listed ?? []);
-  if (canvases.length === 0) throw new BookError(`${name} lists no pages; open another book.`);
+  if (canvases.length === 0)
+    throw new BookError(`${name} lists no pages; open another book.`, {
+      code: "empty",
+      source: name,
+    });
   const [way = ""] = [
     ...stringsIn(manifest.viewingDirection),
     ...stringsIn(sequence.viewingDirection),
@@ -159,7 +167,10 @@ function ofCollection(value: Value, name: string, { base, languages }: Reading):
     return `${textIn(one.label, languages) || "a book"} (${cleanText(addressOf(one, base), 200)})`;
   });
   const some = names.length > 0 ? `, such as ${names.join(", ")}` : "";
-  return new BookError(`${name} is a collection of books; open one of them${some}.`);
+  return new BookError(`${name} is a collection of books; open one of them${some}.`, {
+    code: "unsupported",
+    source: name,
+  });
 }
 
 /** Returns the canvas that is meant: itself, or the one that a part of is meant. */

@@ -29,6 +29,7 @@ export async function openKindle(
       `${name} is damaged or no Kindle book`,
       error,
       "repair it or get it again",
+      { code: "damaged", source: name },
     );
   }
 }
@@ -41,12 +42,16 @@ async function readKindle(file: Blob, name: string): Promise<FlowBook> {
   if (first.isEncrypted || header.isEncrypted) {
     throw new BookError(
       `${name} is protected against copying (DRM); open it in its shop's reader.`,
+      { code: "copyProtected", source: name },
     );
   }
   const read: ReadRecord = (index) => database.record(start + index, recordLength);
   const tooLong = (): BookError => {
     const megabytes = Math.floor(limits.markupBytes / 1e6);
-    return new BookError(`${name} has more than ${megabytes} MB of text; split it.`);
+    return new BookError(`${name} has more than ${megabytes} MB of text; split it.`, {
+      code: "tooLarge",
+      source: name,
+    });
   };
   const parts: KindleParts = {
     name,
@@ -59,7 +64,8 @@ async function readKindle(file: Blob, name: string): Promise<FlowBook> {
     table: (record) => readIndex(record, read, header.encoding, name),
   };
   const { sections, outline, resolve } = await (header.version >= 8 ? openKf8 : openMobi6)(parts);
-  if (sections.length === 0) throw new BookError(`${name} has no text; get it again.`);
+  if (sections.length === 0)
+    throw new BookError(`${name} has no text; get it again.`, { code: "empty", source: name });
   const language = cleanLanguage(header.language);
   return {
     name,

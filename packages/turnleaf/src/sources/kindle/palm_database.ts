@@ -8,7 +8,10 @@ const headLength = 78;
 
 /** Returns the sentence for a book that cannot be read. */
 export function damaged(name: string): BookError {
-  return new BookError(`${name} is damaged or no Kindle book; repair it or get it again.`);
+  return new BookError(`${name} is damaged or no Kindle book; repair it or get it again.`, {
+    code: "damaged",
+    source: name,
+  });
 }
 
 /** The records of a file. */

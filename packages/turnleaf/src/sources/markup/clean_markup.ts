@@ -67,7 +67,10 @@ export async function cleanMarkup(
   name: string,
 ): Promise<FlowContent> {
   if (document.getElementsByTagName("*").length > limits.elements) {
-    throw new BookError(`${name} has more than ${limits.elements} elements; split it.`);
+    throw new BookError(`${name} has more than ${limits.elements} elements; split it.`, {
+      code: "tooLarge",
+      source: name,
+    });
   }
   const root = inHtml(document);
   const styles = (await stylesOf(document, files)).map(cssOf);

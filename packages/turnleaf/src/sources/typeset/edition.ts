@@ -104,7 +104,7 @@ export class Edition {
     } catch (error) {
       signal.throwIfAborted();
       const what = `Part ${section + 1} of ${this.#book.name} cannot be laid out`;
-      throw unknownFailure(what, error, "get the file again");
+      throw unknownFailure(what, error, "get the file again", { source: this.#book.name });
     }
   }
 

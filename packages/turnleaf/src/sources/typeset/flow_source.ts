@@ -167,7 +167,12 @@ export class FlowSource implements PageSource {
         ? "there is more on it than the browser draws; turn to another."
         : "update the browser, or allow data: in img-src of this page's Content-Security-Policy.";
       const sentence = `Page ${index + 1} of ${this.#book.name} cannot be drawn: ${reason}`;
-      throw new BookError(sentence, { cause: error });
+      throw new BookError(sentence, {
+        code: isAllowed ? "tooLarge" : "blocked",
+        page: index + 1,
+        source: this.#book.name,
+        cause: error,
+      });
     });
     if (!signal.aborted && !this.#isClosed) return picture;
     picture.close();
@@ -286,13 +291,19 @@ export class FlowSource implements PageSource {
   #at(index: number): { readonly section: number; readonly page: number } {
     if (this.#isClosed) throw this.#closed();
     if (!(index >= 0 && index < this.pageCount)) {
-      throw new BookError(`${this.#book.name} has no page ${index + 1}; turn to another.`);
+      throw new BookError(`${this.#book.name} has no page ${index + 1}; turn to another.`, {
+        code: "noPage",
+        source: this.#book.name,
+      });
     }
     return this.#numbers.at(index);
   }
 
   #closed(): BookError {
-    return new BookError(`${this.#book.name} is closed; open it again.`);
+    return new BookError(`${this.#book.name} is closed; open it again.`, {
+      code: "closed",
+      source: this.#book.name,
+    });
   }
 
   async #lay(section: number, signal: AbortSignal): Promise<LaidSection> {

@@ -21,7 +21,11 @@ export class SectionContents {
   async load(section: number, isKept: boolean): Promise<FlowContent> {
     const known = this.#kept.get(section);
     const content = known ?? (await this.#book.sections[section]?.load());
-    if (!content) throw new BookError(`${this.#book.name} has no part ${section + 1}.`);
+    if (!content)
+      throw new BookError(`${this.#book.name} has no part ${section + 1}.`, {
+        code: "noPage",
+        source: this.#book.name,
+      });
     if (!isKept) return content;
     this.#kept.delete(section);
     this.#kept.set(section, content);
