@@ -89,6 +89,7 @@ check-js: build $(TOOLS)/.installed
 	npx depcruise --output-type err-long books bench examples packages scripts tests
 	node scripts/check_rust_imports.mjs
 	node scripts/check_words.mjs
+	node scripts/check_regexes.mjs
 	node scripts/reference.mjs --check
 	$(TOOLS)/lychee .
 	node scripts/check_test_links.mjs

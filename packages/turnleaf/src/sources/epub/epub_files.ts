@@ -17,7 +17,7 @@ const importDepth = 4;
 
 /** Media of an import have no "@": each is searched for only as far as the next one, in linear time. */
 const importRule =
-  /@import\s+(?:url\(\s*)?(?:"([^"]*)"|'([^']*)'|([^"'()\s;]+)(?=[\s;)]|$))[^;{}@]*(?:;|$)/gi;
+  /@import\s+(?:url\(\s*)?(?:(?:"([^"]*)"|'([^']*)')[^;{}@]*|([^"'()\s;]+)(?:[\s)][^;{}@]*)?)(?:;|$)/gi;
 
 /** What a book's manifest says of its files, by their paths. */
 export interface ManifestOfFiles {
