@@ -21,7 +21,7 @@ RUST_SOURCES = $(shell find Cargo.toml Cargo.lock rust-toolchain.toml engine/Car
 read: build
 	node $(CLI) read "$(BOOK)" $(if $(PORT),--port $(PORT)) $(if $(filter no,$(OPEN)),--no-open)
 
-build: packages/cli/dist/.built
+build: $(CLI)
 
 $(MODULES): package.json package-lock.json packages/turnleaf/package.json packages/cli/package.json
 	@command -v node >/dev/null || { echo "Turnleaf needs Node 20.19 or later and npm: install them, then run it again." >&2; exit 1; }
@@ -29,7 +29,9 @@ $(MODULES): package.json package-lock.json packages/turnleaf/package.json packag
 	npm ci $(NPM_QUIET)
 	@touch $@
 
-packages/cli/dist/.built: $(MODULES) $(SOURCES) $(RUST_SOURCES)
+# A build that fails leaves no command that looks new.
+.DELETE_ON_ERROR:
+$(CLI): $(MODULES) $(SOURCES) $(RUST_SOURCES)
 	node scripts/build_wasm.mjs --update
 	npm run --silent build
 	@touch $@
@@ -89,6 +91,7 @@ check-js: build $(TOOLS)/.installed
 	npx depcruise --output-type err-long books bench examples packages scripts tests
 	node scripts/check_rust_imports.mjs
 	node scripts/check_words.mjs
+	node scripts/check_regexes.mjs
 	node scripts/reference.mjs --check
 	$(TOOLS)/lychee .
 	node scripts/check_test_links.mjs

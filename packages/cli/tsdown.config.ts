@@ -9,9 +9,7 @@ export default defineConfig({
   dts: false,
   minify: true,
   fixedExtension: false,
-  copy: [
-    { from: "../turnleaf/dist/licenses.txt", to: "dist" },
-    { from: "../../node_modules/image-size/LICENSE", to: "dist", rename: "license-image-size.txt" },
-  ],
+  // Of all that the viewer has within it; the command has no more.
+  copy: [{ from: "../turnleaf/dist/licenses.txt", to: "dist" }],
   deps: { onlyBundle: ["image-size", "pdfjs-dist", "turnleaf"] },
 });

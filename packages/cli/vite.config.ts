@@ -14,7 +14,7 @@ export default defineConfig({
     outDir: "../dist/app",
     emptyOutDir: true,
     // By which a published site finds its scripts.
-    manifest: true,
+    manifest: "site_assets.json",
     // Nothing inline: the server's security policy allows only files.
     assetsInlineLimit: 0,
     rolldownOptions: {
@@ -26,6 +26,5 @@ export default defineConfig({
     modulePreload: { polyfill: false },
     target: "es2022",
     chunkSizeWarningLimit: 2000,
-    license: { fileName: "licenses.md" },
   },
 });

@@ -14,11 +14,9 @@ const require = createRequire(import.meta.url);
  * browser without one, finds with nothing to configure. A folder (its id ends
  * in "/") becomes one file: a 4-byte little-endian length, a JSON table {name:
  * [offset, length]} of that length, and the files' bytes. Serves both tsdown
- * and vite, as a plugin of either. The licences of what is packed go
- * into `licenses.txt` beside the built files.
+ * and vite, as a plugin of either.
  */
 export function packedFiles() {
-  const packed = new Set();
   return {
     name: "turnleaf-packed-files",
     enforce: "pre",
@@ -27,37 +25,20 @@ export function packedFiles() {
       return id.startsWith(prefix) ? `\0${id.replace(/\/$/, "")}${suffix}` : null;
     },
     async load(id) {
-      if (!id.startsWith(`\0${prefix}`)) return null;
-      const asked = id.slice(prefix.length + 1, -suffix.length);
-      const [name] = asked.split("/");
-      const path = locate(asked);
+      const path = packedFile(id);
+      if (path === null) return null;
       const isFolder = (await stat(path)).isDirectory();
-      packed.add(isFolder ? path : dirname(path)).add(locate(name));
       const bytes = isFolder ? await packFolder(path) : await readFile(path);
       const base64 = gzipSync(bytes, { level: 9 }).toString("base64");
       return { code: `export default ${JSON.stringify(base64)};`, moduleType: "js", map: null };
     },
-    async generateBundle() {
-      if (packed.size === 0) return;
-      const source = await licensesOf([...packed].sort());
-      this.emitFile({ type: "asset", fileName: "licenses.txt", source });
-    },
   };
 }
 
-async function licensesOf(folders) {
-  const texts = [];
-  for (const folder of folders) {
-    const names = (await readdir(folder)).filter((name) => name.startsWith("LICENSE")).sort();
-    for (const name of names) {
-      const title = join(folder, name)
-        .split(/node_modules[\\/]/)
-        .pop();
-      const text = await readFile(join(folder, name), "utf8");
-      texts.push(`${title}\n${"=".repeat(title.length)}\n\n${text.trim()}\n`);
-    }
-  }
-  return texts.join("\n\n");
+/** Returns the path of the file or folder that a module is the packed form of; null for any other module. */
+export function packedFile(id) {
+  const isPacked = id.startsWith(`\0${prefix}`) && id.endsWith(suffix);
+  return isPacked ? locate(id.slice(prefix.length + 1, -suffix.length)) : null;
 }
 
 /** Packages that list no `exports` for their files are found through package.json. */

@@ -1,4 +1,5 @@
 import { defineConfig } from "tsdown";
+import { bundledLicenses } from "./bundled_licenses.js";
 import { packedFiles } from "./packed_files.js";
 import { slimMaps } from "./slim_maps.js";
 import { slimShaders } from "./slim_shaders.js";
@@ -30,12 +31,11 @@ const viewer = defineConfig({
     workerInline(),
     slimShaders(),
     slimMaps(),
+    bundledLicenses(),
   ],
   copy: [
     // For pages that serve the engine themselves.
     { from: "src/engine/turnleaf.wasm", to: "dist" },
-    { from: "../../node_modules/image-size/LICENSE", to: "dist", rename: "license-image-size.txt" },
-    { from: "../../node_modules/three/LICENSE", to: "dist", rename: "license-three.txt" },
     {
       from: "src/sources/archive/unpacker/LICENSES.txt",
       to: "dist",

@@ -24,21 +24,23 @@ const archives: readonly (readonly [string, string])[] = [
 const [kindle, kindleAt] = ["BOOKMOBI", 60];
 const kindleType = "application/x-mobipocket-ebook";
 
-/** The root of a FictionBook, after what may stand before it. */
-const fictionBook =
-  /^(?:<\?xml|<!--|<!doctype fictionbook|<fictionbook)[\s\S]*<fictionbook[\s>]|^<fictionbook[\s>]/i;
+/** What a FictionBook begins with, and its root. */
+const fictionBook = [/^<(\?xml|!--|!doctype fictionbook|fictionbook)/i, /<fictionbook[\s>]/i];
 
 /** A manifest that is an array has strings or objects: [text] is a link of Markdown. */
 const json = /^(\{|\[\s*["{\]])/;
 
-/** What is no book, and why. */
-const rejected: readonly (readonly [RegExp, string])[] = [
+/** What is no book, and why: tests of a file's first words. */
+const rejected: readonly (readonly [(words: string) => boolean, string])[] = [
   [
-    /^(\s|<\?xml[^>]*>|<!--[\s\S]*?-->)*<(!doctype svg|svg[\s>])/i,
+    (words) => /^<(!doctype svg|svg[\s>])/i.test(afterProlog(words)),
     "is an SVG, which may hold scripts",
   ],
-  [/^<(!doctype html|html|\?xml|!--|head|body)/i, "is a web page, not a book"],
-  [json, "is JSON (a IIIF manifest is opened by its address)"],
+  [
+    (words) => /^<(!doctype html|html|\?xml|!--|head|body)/i.test(words),
+    "is a web page, not a book",
+  ],
+  [(words) => json.test(words), "is JSON (a IIIF manifest is opened by its address)"],
 ];
 
 /**
@@ -75,12 +77,13 @@ export function bookType(start: string, name: string): string | undefined {
   if (!isText(start, name)) return undefined;
   // Markdown may begin as a web page or JSON does.
   if (isMarkdownName(name)) return "text/markdown";
-  return rejected.some(([mark]) => mark.test(wordsOf(start))) ? undefined : "text/plain";
+  return rejected.some(([isOne]) => isOne(wordsOf(start))) ? undefined : "text/plain";
 }
 
 /** Returns whether a file is a FictionBook, by its first bytes (latin-1), in UTF-16 too. */
 function isFictionBook(start: string): boolean {
-  return fictionBook.test(wordsOf(start.replace(/^(\xff\xfe|\xfe\xff)/, "").replaceAll("\0", "")));
+  const words = wordsOf(start.replace(/^(\xff\xfe|\xfe\xff)/, "").replaceAll("\0", ""));
+  return fictionBook.every((mark) => mark.test(words));
 }
 
 /** Returns whether a file is JSON, by its first bytes (latin-1). */
@@ -90,7 +93,7 @@ export function isJson(start: string): boolean {
 
 /** Returns why a file is not served, by its first bytes (latin-1), as the end of a sentence. */
 export function rejectionOf(start: string): string {
-  const found = rejected.find(([mark]) => mark.test(wordsOf(start)));
+  const found = rejected.find(([isOne]) => isOne(wordsOf(start)));
   return found?.[1] ?? "is of an unknown format";
 }
 
@@ -115,4 +118,15 @@ function isText(start: string, name: string): boolean {
 /** Returns the text without the mark of its byte order and without spaces before it. */
 function wordsOf(start: string): string {
   return start.replace(/^\xef\xbb\xbf/, "").trimStart();
+}
+
+/** Returns markup after its XML declarations, comments and the spaces between them. */
+function afterProlog(markup: string): string {
+  let rest = markup;
+  for (;;) {
+    const end = rest.startsWith("<!--") ? "-->" : /^<\?xml/i.test(rest) ? ">" : null;
+    const at = end === null ? -1 : rest.indexOf(end, 4);
+    if (end === null || at < 0) return rest;
+    rest = rest.slice(at + end.length).trimStart();
+  }
 }

@@ -110,6 +110,8 @@ describe("a book at an address", () => {
     ["bad.json", "is no valid JSON; "],
     ["nothing.json", "is a collection without books; "],
     ["loop", "could not be reached; "],
+    ["packed", "is packed in a way that is not known; "],
+    ["not-packed.pdf", "broke off while it was fetched; "],
   ])("%s ends with one sentence that names it", async (path, sentence) => {
     responses.set("/secret.pdf", (_, response) => response.writeHead(403).end());
     responses.set("/page", send("<!doctype html><title>A library</title>"));
@@ -118,6 +120,10 @@ describe("a book at an address", () => {
       response.writeHead(200, { "Content-Length": "5000" });
       response.write("%PDF-1.7\n", () => response.destroy());
     });
+    // Each coding is a stream of its own to some that unpack them.
+    const codings = Array.from({ length: 200 }, () => "gzip").join(", ");
+    responses.set("/packed", send("x", { "Content-Encoding": codings }));
+    responses.set("/not-packed.pdf", send("%PDF-1.7", { "Content-Encoding": "gzip" }));
     responses.set("/list.json", json({ pages: ["a.png"] }));
     responses.set("/bad.json", send('{"pages": '));
     responses.set("/nothing.json", json({ "@context": context, type: "Collection", items: [] }));

@@ -2,7 +2,7 @@
 
 import { expect, test } from "vitest";
 import { type Kind, sniff } from "../../turnleaf/src/sources/sniff.ts";
-import { bookType, isJson } from "../src/file_types.ts";
+import { bookType, isJson, rejectionOf } from "../src/file_types.ts";
 
 /** The first bytes of files of each kind (latin-1), and the type as which the command serves them. */
 const kinds: Readonly<Record<Exclude<Kind, "image">, readonly [string | undefined, string[]]>> = {
@@ -61,4 +61,12 @@ test("the command serves no SVG, which the viewer shows", () => {
     expect(kindOf(start)).toBe("image");
     expect(bookType(start, "file.svg")).toBeUndefined();
   }
+});
+
+test("comments before a root are gone through once, however many there are", () => {
+  const comments = "<!---->".repeat(147);
+  expect(bookType(comments, "file")).toBeUndefined();
+  expect(rejectionOf(comments)).toBe("is a web page, not a book");
+  const drawing = `<?xml version="1.0"?>\n${"<!-- a > b -->\n".repeat(60)}<SVG>`;
+  expect(rejectionOf(drawing)).toBe("is an SVG, which may hold scripts");
 });

@@ -1,5 +1,5 @@
 import { execFile } from "node:child_process";
-import { readFileSync } from "node:fs";
+import { readdirSync, readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import { promisify } from "node:util";
 import { publint } from "publint";
@@ -95,6 +95,8 @@ test.each(["turnleaf", "cli"])("what npm packs of packages/%s", async (folder) =
   expect(
     paths.filter((path) => !/^(dist\/|LICENSE$|README\.md$|package\.json$)/.test(path)),
   ).toEqual([]);
+  // What builds leave for themselves.
+  expect(paths.filter((path) => /(^|\/)\./.test(path))).toEqual([]);
   const sizeOf = (ofWhat: RegExp): number =>
     files.reduce((sum, { path, size }) => sum + (ofWhat.test(path) ? size : 0), 0);
   expect(sizeOf(/\.map$/)).toBeLessThan(sizeOf(/./) / 3);
@@ -105,4 +107,24 @@ test.each(["turnleaf", "cli"])("what npm packs of packages/%s", async (folder) =
       if (/node_modules|\.wasm$/.test(source)) expect(sourcesContent[k]).toBeNull();
     }
   }
+});
+
+test("the licences of all that is within the built files are in both packages", () => {
+  const built = new URL("../../turnleaf/dist/", import.meta.url);
+  const sources = readdirSync(built)
+    .filter((name) => name.endsWith(".js.map"))
+    .flatMap((name) => JSON.parse(readFileSync(new URL(name, built), "utf8")).sources as string[]);
+  const named = sources.flatMap((source) => {
+    return /.*node_modules\/((?:@[^/]+\/)?[^/]+)/.exec(source)?.[1] ?? [];
+  });
+  // Their maps are left out.
+  const packages = [...new Set([...named, "pdfjs-dist", "three"])].sort();
+  for (const name of ["@zip.js/zip.js", "foliate-js", "marked"]) expect(packages).toContain(name);
+  for (const folder of ["turnleaf", "cli"]) {
+    const notices = rootFile(`packages/${folder}/dist/licenses.txt`);
+    for (const name of packages) {
+      expect(notices, name).toContain(rootFile(`node_modules/${name}/LICENSE`).trim());
+    }
+  }
+  expect(rootFile("packages/turnleaf/dist/license-unpacker.txt")).toContain("libarchive");
 });

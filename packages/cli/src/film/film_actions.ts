@@ -193,7 +193,7 @@ function placeOf(word: string): ActionPlace | undefined {
 function numberFrom(least: number, most: number): (word: string) => number | undefined {
   return (word) => {
     const number = Number(word);
-    const isNumber = /^-?(\d+\.?\d*|\.\d+)$/.test(word);
+    const isNumber = /^-?(\d+(\.\d*)?|\.\d+)$/.test(word);
     return isNumber && number >= least && number <= most ? number : undefined;
   };
 }

@@ -159,7 +159,7 @@ function slug(name: string): string {
     if (Buffer.byteLength(next) > longestId) break;
     id = next;
   }
-  return id.replace(/^-+|-+$/g, "");
+  return id.replace(/^-|-$/g, "");
 }
 
 /** Whether every system takes an id as the name of a folder. */

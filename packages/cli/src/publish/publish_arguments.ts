@@ -116,7 +116,7 @@ function parseUrl(text: string | undefined): string | null {
   try {
     const url = new URL(text);
     if (/^https?:$/.test(url.protocol) && url.search === "" && url.hash === "") {
-      return url.href.replace(/\/*$/, "/");
+      return url.href.replace(/(?<!\/)\/*$/, "/");
     }
   } catch {
     // It is no address.

@@ -7,9 +7,8 @@ const longest = 40;
 const accents = /\p{Mn}/gu;
 
 /** Scripts without spaces between words. */
-const unspaced = ["Han", "Hiragana", "Katakana", "Thai", "Lao", "Khmer", "Myanmar"]
-  .map((script) => `\\p{Script=${script}}`)
-  .join("");
+const unspaced =
+  "\\p{Script=Han}\\p{Script=Hiragana}\\p{Script=Katakana}\\p{Script=Thai}\\p{Script=Lao}\\p{Script=Khmer}\\p{Script=Myanmar}";
 const run = `[${unspaced}\u30fc]+`;
 const letters = `(?:(?![${unspaced}])[\\p{L}\\p{N}\\p{M}])+`;
 const apostrophe = "['\u2019]";

@@ -41,7 +41,7 @@ interface Built {
  */
 export async function readAssets(): Promise<SiteAssets> {
   const root = fileURLToPath(new URL("./app/", import.meta.url));
-  const list = await readFile(join(root, ".vite/manifest.json"), "utf8").catch(() => "null");
+  const list = await readFile(join(root, "site_assets.json"), "utf8").catch(() => "null");
   const built = JSON.parse(list) as Record<string, Built> | null;
   if (built === null) throw new Problem("The site's scripts are not built; run: npm run build");
   const files = new Map<string, Uint8Array>();
@@ -53,7 +53,7 @@ export async function readAssets(): Promise<SiteAssets> {
   await add(built[worker]?.file ?? "", "service-worker.js");
   await add(built["icon.svg"]?.file ?? "", "icon.svg");
   // Of the libraries in the scripts.
-  await add("licenses.md");
+  files.set("licenses.txt", await readFile(new URL("./licenses.txt", import.meta.url)));
   const pages = Object.entries(entries).map(([name, key]) => [name, pageAssets(built, key)]);
   return { pages: Object.fromEntries(pages), files, drawing: filesFor(built, [drawing]) };
 }

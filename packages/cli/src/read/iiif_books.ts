@@ -122,7 +122,7 @@ function labelOf({ label }: Value): string {
   const named = isRecord(label) ? (label.en ?? label.none ?? Object.values(label)[0]) : label;
   const [first] = listOf(named ?? []);
   const text = isRecord(first) ? first["@value"] : first;
-  return typeof text === "string" ? printable(text.replace(/<[^>]*>/g, "")) : "";
+  return typeof text === "string" ? printable(text.replace(/<[^<>]*>/g, "")) : "";
 }
 
 function listOf(value: unknown): readonly unknown[] {

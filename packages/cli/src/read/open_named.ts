@@ -98,7 +98,7 @@ export class NamedBooks {
       const pieces = fetched.body(mostBytes)[Symbol.asyncIterator]();
       const start = await readStart(pieces);
       if (isJson(start.toString("latin1", 0, sniffLength))) {
-        return await this.#openJson(fetched.url, await readJson(start, pieces, address));
+        return await this.#openJson(fetched, await readJson(start, pieces, address));
       }
       const file = await this.#save(fetched, start, pieces);
       const book = await openBook(file, (sentence) => this.#warn(sentence), address);
@@ -106,12 +106,13 @@ export class NamedBooks {
     });
   }
 
-  async #openJson(url: string, value: unknown): Promise<readonly NamedBook[]> {
+  async #openJson({ url, isPublic }: Fetched, value: unknown): Promise<readonly NamedBook[]> {
+    const readAll = async (fetched: Fetched): Promise<unknown> => {
+      const pieces = fetched.body(mostJsonBytes)[Symbol.asyncIterator]();
+      return await readJson(await readStart(pieces), pieces, fetched.url);
+    };
     const fetchJson = (address: string): Promise<unknown> =>
-      fetchAddress(address, this.#signal, async (fetched) => {
-        const pieces = fetched.body(mostJsonBytes)[Symbol.asyncIterator]();
-        return await readJson(await readStart(pieces), pieces, address);
-      });
+      fetchAddress(address, this.#signal, readAll, isPublic);
     const books = await iiifBooks(value, url, fetchJson, (sentence) => this.#warn(sentence));
     return books.map(({ title, url }) => ({ title, src: url, files: new Map(), isOnline: true }));
   }

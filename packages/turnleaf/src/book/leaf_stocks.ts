@@ -29,7 +29,7 @@ export function readStocks(list: string): { readonly entries: Entry[]; readonly 
   let stock: LeafStockName | undefined;
   for (const part of list.split(",", mostEntries)) {
     if (part.trim() === "") continue;
-    const [, name, pages] = /^\s*([a-z-]*)\s*(\d+\s*(?:-\s*\d+\s*)?)$/i.exec(part) ?? [];
+    const [, name, pages] = /^([a-z-]*)\s*(\d+(?:\s*-\s*\d+)?)$/i.exec(part.trim()) ?? [];
     if (name) stock = leafStockNames.find((known) => known === name);
     if (pages !== undefined && stock !== undefined) entries.push([stock, pages]);
     else {

@@ -170,7 +170,7 @@ function paintGround(
   while (at) {
     const { backgroundColor, backgroundImage } = getComputedStyle(at);
     const desk =
-      /^radial-gradient\((?:ellipse )?at (\d+)% (\d+)%, (rgb.*?\)), (rgb.*?\)) (\d+)%\)$/.exec(
+      /^radial-gradient\((?:ellipse )?at (\d+)% (\d+)%, (rgba?\([^()]*\)), (rgba?\([^()]*\)) (\d+)%\)$/.exec(
         backgroundImage,
       );
     if (desk) {

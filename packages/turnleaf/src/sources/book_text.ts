@@ -68,6 +68,6 @@ export function cleanLanguage(tag: unknown): string {
 export function nameOfUrl(url: string): string {
   if (/^(blob|data):/i.test(url)) return "this book";
   const path = url.split(/[?#]/, 1)[0] ?? "";
-  const last = path.replace(/\/+$/, "").split("/").pop() ?? "";
+  const last = path.split("/").findLast((part) => part !== "") ?? "";
   return cleanText(decodeEscapes(last), 80) || "this book";
 }

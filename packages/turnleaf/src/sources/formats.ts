@@ -148,7 +148,7 @@ const likely: readonly (readonly [
  * They alone decide what it is.
  */
 export function prepareFor(address: string, options: PdfOptions): void {
-  const path = address.replace(/[?#].*$/, "");
+  const path = address.split(/[?#]/, 1)[0] ?? "";
   for (const [name, load] of likely) {
     // What fails is reported where it is used.
     if (name.test(path)) load(options).catch(() => {});

@@ -308,6 +308,23 @@ describe("an SVG", () => {
     expect(fetched).not.toHaveBeenCalled();
   });
 
+  it("of many tags, none of which ends, is none", async () => {
+    const source = await open("<svg\t".repeat(300_000));
+    expect(await messageOf(source.draw(0, 20, never))).toMatch(/is damaged/);
+  });
+
+  it("has its usual size where its length is of many spaces", async () => {
+    const source = await open(root(`width="1${"\t".repeat(300_000)}."`));
+    expect(await source.size(0)).toEqual({ width: 300, height: 150 });
+  });
+
+  it("has what a text of it would stand for as it is", async () => {
+    const source = await open(
+      root(`data-x="${"$'".repeat(1000)}"`, `<desc>${"x".repeat(1_000_000)}</desc>`),
+    );
+    expect((await source.draw(0, 300, never)).height).toBe(150);
+  });
+
   it("may be a page among others, and that which is none spoils itself alone", async () => {
     const source = await openSource([
       new Blob([root('viewBox="0 0 40 60"')]),

@@ -47,9 +47,8 @@ const palmTypeAt = 60;
 const kindle = "BOOKMOBI";
 const palmDoc = "TEXtREAd";
 
-/** The root of a FictionBook, after what may stand before it. */
-const fictionBook =
-  /^(?:<\?xml|<!--|<!doctype fictionbook|<fictionbook)[\s\S]*<fictionbook[\s>]|^<fictionbook[\s>]/i;
+/** What a FictionBook begins with, and its root. */
+const fictionBook = [/^<(\?xml|!--|!doctype fictionbook|fictionbook)/i, /<fictionbook[\s>]/i];
 
 /**
  * Returns the format by the first bytes, whatever the file's name. The media
@@ -78,7 +77,8 @@ export function sniff({ start, type }: FileStart): Kind {
 
 /** Returns whether the first bytes of a file, as latin-1, are those of a FictionBook, in UTF-16 too. */
 function isFictionBook(text: string): boolean {
-  return fictionBook.test(wordsOf(text.replace(/^(\xff\xfe|\xfe\xff)/, "").replaceAll("\0", "")));
+  const words = wordsOf(text.replace(/^(\xff\xfe|\xfe\xff)/, "").replaceAll("\0", ""));
+  return fictionBook.every((mark) => mark.test(words));
 }
 
 /**

@@ -87,6 +87,8 @@ describe("texts of a book", () => {
     expect(nameOfUrl("https://x.example/%E0%A4%A")).toBe("%E0%A4%A");
     expect(nameOfUrl("blob:https://x.example/1-2")).toBe("this book");
     expect(nameOfUrl("https://x.example/")).toBe("x.example");
+    expect(nameOfUrl(`https://x.example/a.pdf${"/".repeat(1_000_000)}`)).toBe("a.pdf");
+    expect(nameOfUrl(`https://${"/".repeat(1_000_000)}?`)).toBe("https:");
   });
   it("keeps one clean line", () => {
     expect(cleanText("a\u0007\n  b\u202e")).toBe("a b");

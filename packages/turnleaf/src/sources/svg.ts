@@ -6,8 +6,21 @@
 
 import type { PageBox, PageSize } from "./page_source.ts";
 
-/** The root's tag; quoted values may contain anything. */
-const rootTag = /<(?:[\w-]+:)?svg(?=[\s/>])(?:[^>"']|"[^"]*"|'[^']*')*>/i;
+/** What the root's tag begins with. */
+const rootStart = /<(?:[\w-]+:)?svg(?=[\s/>])/i;
+
+/** A tag from where the next match is to be; quoted values may contain anything. */
+const wholeTag = /<(?:[^>"']|"[^"]*"|'[^']*')*>/y;
+
+/** An attribute of a tag. */
+const attributePattern = /\s([\w:-]+)\s*=\s*(?:"([^"]*)"|'([^']*)')/g;
+
+/** The text of an image and its root's tag in it. */
+interface Drawing {
+  readonly before: string;
+  readonly tag: string;
+  readonly after: string;
+}
 
 /** CSS pixels per unit of length. */
 const units: Readonly<Record<string, number>> = {
@@ -24,21 +37,26 @@ const units: Readonly<Record<string, number>> = {
 /** Size of an image without any, as CSS defines. */
 const usualSize: PageSize = { width: 300, height: 150 };
 
-/** Returns its text, or null if it has no root. */
-async function read(image: Blob): Promise<{ text: string; tag: string } | null> {
+/** Reads an image. Rejects if it has no root. */
+async function read(image: Blob): Promise<Drawing> {
   const text = await image.text();
-  const tag = rootTag.exec(text)?.[0];
-  return tag === undefined ? null : { text, tag };
+  wholeTag.lastIndex = rootStart.exec(text)?.index ?? text.length;
+  const found = wholeTag.exec(text);
+  if (found === null) throw new Error("There is no <svg>.");
+  const [tag] = found;
+  return { before: text.slice(0, found.index), tag, after: text.slice(found.index + tag.length) };
 }
 
 function attribute(tag: string, name: string): string | undefined {
-  const found = new RegExp(`\\s${name}\\s*=\\s*(?:"([^"]*)"|'([^']*)')`).exec(tag);
-  return found?.[1] ?? found?.[2];
+  for (const [, found, double, single] of tag.matchAll(attributePattern)) {
+    if (found === name) return double ?? single;
+  }
+  return undefined;
 }
 
 /** Returns a length in CSS pixels; null if there is none, or it is relative. */
 function length(text: string | undefined): number | null {
-  const [, number, unit] = /^\s*([\d.]+(?:e[+-]?\d+)?)\s*([a-z]*)\s*$/i.exec(text ?? "") ?? [];
+  const [, number, unit] = /^([\d.]+(?:e[+-]?\d+)?)\s*([a-z]*)$/i.exec(text?.trim() ?? "") ?? [];
   const scale = units[unit?.toLowerCase() ?? "none"];
   const pixels = Number(number) * (scale ?? Number.NaN);
   return pixels > 0 ? pixels : null;
@@ -63,9 +81,8 @@ function sizeOf(tag: string): PageSize {
 
 /** Returns an SVG's size in CSS pixels. Rejects if it is not an SVG. */
 export async function sizeOfSvg(image: Blob): Promise<PageSize> {
-  const svg = await read(image);
-  if (svg === null) throw new Error("There is no <svg>.");
-  return sizeOf(svg.tag);
+  const { tag } = await read(image);
+  return sizeOf(tag);
 }
 
 /**
@@ -73,10 +90,9 @@ export async function sizeOfSvg(image: Blob): Promise<PageSize> {
  * if it is not an SVG, and if the page's policy does not allow images as data.
  */
 export async function drawSvg(image: Blob, part: PageBox, pixels: PageSize): Promise<ImageBitmap> {
-  const svg = await read(image);
-  if (svg === null) throw new Error("There is no <svg>.");
+  const { before, tag, after } = await read(image);
   const picture = new Image();
-  picture.src = `data:image/svg+xml,${encodeURIComponent(svg.text.replace(svg.tag, sized(svg.tag)))}`;
+  picture.src = `data:image/svg+xml,${encodeURIComponent(before + sized(tag) + after)}`;
   await picture.decode();
   // In Chromium embedded fonts are ready one task later.
   await new Promise((resolve) => setTimeout(resolve));

@@ -114,9 +114,11 @@ function noticeOf(document: Document, line: number | null, isFixed: boolean): El
 /** Returns the size of a page of fixed layout: by its viewport, or that of its drawing. */
 function fixedSize(document: Document): PageSize {
   const viewport = document.querySelector('meta[name="viewport"]')?.getAttribute("content") ?? "";
-  const number = (key: string): number =>
-    Number.parseFloat(new RegExp(`\\b${key}\\s*=\\s*([\\d.]+)`).exec(viewport)?.[1] ?? "");
-  const named = { width: number("width"), height: number("height") };
+  const number = (named: RegExp): number => Number.parseFloat(named.exec(viewport)?.[1] ?? "");
+  const named = {
+    width: number(/\bwidth\s*=\s*([\d.]+)/),
+    height: number(/\bheight\s*=\s*([\d.]+)/),
+  };
   if (isPageSize(named)) return named;
   const svg = document.querySelector("svg");
   const [, , width = 0, height = 0] = (svg?.getAttribute("viewBox") ?? "")

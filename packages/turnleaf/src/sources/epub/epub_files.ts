@@ -19,7 +19,7 @@ const importDepth = 4;
 
 /** An import's address and media. These have no "@": each is searched for only as far as the next one, in linear time. */
 const importRule =
-  /@import\s+(?:url\(\s*)?(?:"([^"]*)"|'([^']*)'|([^"'()\s;]+)(?=[\s;)]|$))([^;{}@]*)(?:;|$)/gi;
+  /@import\s+(?:url\(\s*)?(?:(?:"([^"]*)"|'([^']*)')([^;{}@]*)|([^"'()\s;]+)([\s)][^;{}@]*)?)(?:;|$)/gi;
 
 /** What stands before the media of an import: its layer, and what the browser is to support. */
 const importCondition = /^[\s)]*(?:layer(?:\([^()]*\))?(?![\w-]))?\s*(?:supports\([^()]*\))?/i;
@@ -119,12 +119,12 @@ export class EpubFiles {
       if (depth === 0) return [];
       const css = await this.text(path).catch(() => "");
       const imports = new Map<string, string>();
-      for (const [, double, single, bare, media] of css.matchAll(importRule)) {
+      for (const [, double, single, behind, bare, after] of css.matchAll(importRule)) {
         const target = this.resolve(double ?? single ?? bare ?? "", path);
         if (target === null) continue;
         // Of several imports of one sheet the last one counts.
         imports.delete(target);
-        imports.set(target, media?.replace(importCondition, "").trim() ?? "");
+        imports.set(target, (behind ?? after ?? "").replace(importCondition, "").trim());
       }
       const files = this.about(path);
       return await readSheets([

@@ -171,6 +171,16 @@ test("a style sheet of thousands of imports, none of which ends, is read", async
   }
 });
 
+test.each([
+  ["strings, none of which ends", `p { --x: ${'\\\\"'.repeat(300_000)}; }`],
+  [
+    "fonts in a string",
+    `p::before { content: "${"@font-face { ".repeat(200_000)}"; display: none }`,
+  ],
+])("a style sheet of many %s is gone through once", async (_, css) => {
+  expect(await readAll({ chapters: ["Here."], css })).toContain("Here.");
+});
+
 test("style sheets that import each other many times, and links to large ones, come to an end", async () => {
   const style = vi.spyOn(CSSStyleSheet.prototype, "replaceSync");
   const longest = (): number => Math.max(...style.mock.calls.map(([css]) => css.length));

@@ -56,7 +56,7 @@ function fontFacesIn(sheet: { readonly cssRules: CSSRuleList }): CSSFontFaceRule
 
 async function embedded(rule: CSSFontFaceRule, base: string): Promise<string> {
   const source = rule.style.getPropertyValue("src");
-  const address = /url\((["']?)(.*?)\1\)/.exec(source)?.[2];
+  const address = /url\("((?:[^"\\]|\\.)*)"\)/.exec(source)?.[1];
   if (address === undefined) return "";
   const data = await fontAt(new URL(address, rule.parentStyleSheet?.href ?? base).href);
   if (data === null) return "";

@@ -174,6 +174,16 @@ test("text that unpacks to more than its bound is rejected", async () => {
   );
 });
 
+test.each([
+  ["heads, none of which ends", "<head>".repeat(200_000)],
+  ["guides, none of which ends", `<!--${"<guide ".repeat(200_000)}-->`],
+  ["breaks before its text", `<mbp:pagebreak${" ".repeat(200)}>`.repeat(limits.pages)],
+])("a MOBI of many %s is gone through once", async (_, markup) => {
+  const source = await openSource(tinyMobi({ text: `${markup}<p>Text</p>` }));
+  expect((await textsOf(source, "")).join("")).toContain("Text");
+  source.close();
+});
+
 test("metadata and tables that would have no end come to one", async () => {
   const contents = [{ title: "One", at: 0 }];
   const whole = tinyMobi({ text: "<p>One</p>", contents });

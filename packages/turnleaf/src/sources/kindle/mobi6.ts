@@ -23,6 +23,9 @@ const linked = /\bfilepos=["']?(\d{1,10})/gi;
 /** Places of a book that are linked. */
 const mostPlaces = 100_000;
 
+/** Characters of a guide. */
+const longestGuide = 20_000;
+
 /** A length as MOBI writes it: a number of pixels, or with a unit. */
 const length = /^(-?\d{0,4}(?:\.\d{0,4})?)(em|px|pt|%)?$/;
 
@@ -108,21 +111,23 @@ export async function openMobi6(book: KindleParts): Promise<KindleText> {
 function partsOf(letters: string): Part[] {
   const breaks = [...letters.matchAll(pageBreak)].map(({ index }) => index).slice(0, limits.pages);
   const parts: Part[] = [];
-  let from = 0;
+  let at = 0;
   for (const to of [...breaks, letters.length]) {
     const last = parts.at(-1);
-    if (/<img\b/i.test(letters.slice(from, to)) || hasText(letters.slice(from, to))) {
-      parts.push({ from, to });
-    } else if (last) parts[parts.length - 1] = { from: last.from, to };
+    const piece = letters.slice(at, to);
     // What comes before the first part belongs to it.
-    else continue;
-    from = to;
+    if (/<img\b/i.test(piece) || hasText(piece)) parts.push({ from: last ? at : 0, to });
+    else if (last) parts[parts.length - 1] = { from: last.from, to };
+    at = to;
   }
   return parts;
 }
 
 function hasText(markup: string): boolean {
-  const body = markup.replace(/<head\b[\s\S]*?<\/head>/gi, "");
+  // All but the last end with a head.
+  const pieces = markup.split(/<\/head>/i);
+  const last = pieces.pop() ?? "";
+  const body = [...pieces.map((piece) => piece.split(/<head\b/i, 1)[0]), last].join("");
   return body.replace(/<[^<>]*>|&nbsp;|\s+/g, "") !== "";
 }
 
@@ -182,8 +187,12 @@ function guideOutline(
   text: Uint8Array,
   resolve: (href: string) => FlowTarget | null,
 ): FlowOutline[] {
-  const guide = /<guide\b[\s\S]{0,20000}?<\/guide>/i.exec(letters)?.[0] ?? "";
-  const line = guide.match(/<reference\b[^<>]*>/gi)?.find((one) => /type=["']?toc\b/i.test(one));
+  const start = letters.search(/<guide\b/i);
+  const guide = letters.slice(start, start + longestGuide).split(/<\/guide>/i, 1)[0] ?? "";
+  const line =
+    start < 0
+      ? undefined
+      : guide.match(/<reference\b[^<>]*>/gi)?.find((one) => /type=["']?toc\b/i.test(one));
   const place = Number(/filepos=["']?(\d{1,10})/i.exec(line ?? "")?.[1] ?? Number.NaN);
   const part = parts.find(({ from, to }) => place >= from && place < to);
   if (!part) return [];

@@ -349,7 +349,7 @@ async function loadedIn({ document }: LayoutFrame, html: HTMLElement): Promise<v
 }
 
 /** A rule of a font, as `cleanCss` writes it. */
-const fontRule = /@font-face \{ [^}]*\}/g;
+const fontRule = /@font-face \{ [^{}]*\}/g;
 
 /** Returns style sheets without the fonts that nothing in a frame is set in. */
 function withUsedFonts(sheets: readonly string[], { fonts }: Document): readonly string[] {

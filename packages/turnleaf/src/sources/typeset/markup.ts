@@ -11,7 +11,7 @@ const xhtml = "http://www.w3.org/1999/xhtml";
 const shortData = 1000;
 
 /** Data of a picture. */
-const pictureData = /(data:[^,"<&]{0,200};base64,[\w+/=]*)/;
+const pictureData = /(data:[^,:"<&]{0,200};base64,[\w+/=]*)/;
 
 /** A picture of no colour. */
 const clear = "data:image/gif;base64,R0lGODlhAQABAAAAACH5BAEKAAEALAAAAAABAAEAAAICTAEAOw==";
