@@ -1,6 +1,7 @@
 /** How flowing text is set: the style sheets that follow from what the reader chooses. */
 
 import type { PageSize, Typography } from "../page_source.ts";
+import { pieceStyle } from "./divide.ts";
 
 /** Typography as the book has it. */
 export const ownTypography: Typography = {
@@ -92,8 +93,7 @@ const bodyStyle = `body {
 }`;
 
 /** Everything in it. */
-const everyStyle =
-  "* { text-rendering: geometricPrecision !important; overflow-wrap: break-word; animation: none !important; transition: none !important; }";
+const everyStyle = `* { text-rendering: geometricPrecision !important; overflow-wrap: break-word; animation: none !important; transition: none !important; }${pieceStyle}`;
 
 /** Returns the style sheet that sets a section into pages as columns. */
 export function columnStyle(page: PageMeasures, isVertical: boolean, direction: string): string {
