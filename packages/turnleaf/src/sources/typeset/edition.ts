@@ -2,7 +2,8 @@ import { unknownFailure } from "../failures.ts";
 import type { Typography } from "../page_source.ts";
 import { SharedTasks } from "../shared_tasks.ts";
 import type { FlowBook } from "./flow_book.ts";
-import { LaidSection, type SectionMap } from "./laid_section.ts";
+import { LaidChapter } from "./laid_chapter.ts";
+import type { SectionMap } from "./laid_section.ts";
 import type { SectionContents } from "./section_contents.ts";
 
 /** Frames kept, so that neighbouring pages are drawn without laying out again. */
@@ -18,8 +19,8 @@ export class Edition {
   readonly #contents: SectionContents;
   readonly #maps = new Map<number, SectionMap>();
   /** Sections in their frames, the last used one last. */
-  #frames = new Map<number, LaidSection>();
-  readonly #laying = new SharedTasks<number, LaidSection>();
+  #frames = new Map<number, LaidChapter>();
+  readonly #laying = new SharedTasks<number, LaidChapter>();
   /** One section is laid out at a time. */
   #last: Promise<unknown> = Promise.resolve();
   #isClosed = false;
@@ -58,7 +59,7 @@ export class Edition {
   }
 
   /** Returns a section in its frame. Rejects with a `BookError`, or with the signal's reason. */
-  async lay(section: number, signal?: AbortSignal): Promise<LaidSection> {
+  async lay(section: number, signal?: AbortSignal): Promise<LaidChapter> {
     const laid =
       this.#frames.get(section) ??
       (await this.#laying.run(section, (own) => this.#layNext(section, true, own), signal));
@@ -81,19 +82,19 @@ export class Edition {
   }
 
   /** @param isShown whether its pages are asked for, and not merely their number */
-  #layNext(section: number, isShown: boolean, signal: AbortSignal): Promise<LaidSection> {
+  #layNext(section: number, isShown: boolean, signal: AbortSignal): Promise<LaidChapter> {
     const laying = this.#last.then(() => this.#layNow(section, isShown, signal));
     this.#last = laying.catch(() => {});
     return laying;
   }
 
-  async #layNow(section: number, isShown: boolean, signal: AbortSignal): Promise<LaidSection> {
+  async #layNow(section: number, isShown: boolean, signal: AbortSignal): Promise<LaidChapter> {
     signal.throwIfAborted();
     try {
       const content = await this.#contents.load(section, isShown);
       signal.throwIfAborted();
       const isScrolled = this.#book.sections[section]?.roll !== undefined;
-      const laid = await LaidSection.lay(content, this.typography, isScrolled);
+      const laid = await LaidChapter.lay(content, this.typography, isScrolled, signal);
       if (this.#isClosed) {
         laid.close();
         throw new DOMException("The book is closed.", "AbortError");
@@ -109,7 +110,7 @@ export class Edition {
   }
 
   /** Keeps a frame as the first to go, until it is used. */
-  #keep(section: number, laid: LaidSection): void {
+  #keep(section: number, laid: LaidChapter): void {
     this.#frames.delete(section);
     this.#frames = new Map([[section, laid], ...this.#frames]);
     for (const [oldest, old] of this.#frames) {

@@ -18,7 +18,7 @@ import { drawMarkup } from "./draw_markup.ts";
 import { Edition } from "./edition.ts";
 import type { FlowBook, FlowOutline, FlowTarget } from "./flow_book.ts";
 import { idle } from "./idle.ts";
-import type { LaidSection } from "./laid_section.ts";
+import type { LaidChapter } from "./laid_chapter.ts";
 import { Narrator } from "./narrator.ts";
 import { PageNumbers } from "./page_numbers.ts";
 import { SectionContents } from "./section_contents.ts";
@@ -157,7 +157,7 @@ export class FlowSource implements PageSource {
     const size = laid.layoutSize;
     // Its pages were estimated.
     const isBlank = page >= laid.map.pageCount;
-    const svg = isBlank ? blank(size, paperOf(this.#edition.typography)) : laid.svg(page);
+    const svg = isBlank ? blank(size, paperOf(this.#edition.typography)) : await laid.svg(page);
     const picture = await drawMarkup(svg, size, region, width).catch(async (error: unknown) => {
       const isAllowed = await drawMarkup(blank(size, "#fff"), size, wholePage, 1).then(
         (drawn) => drawn.close() ?? true,
@@ -194,7 +194,7 @@ export class FlowSource implements PageSource {
 
   async links(index: number, signal: AbortSignal): Promise<readonly PageLink[]> {
     const { section, page } = this.#at(index);
-    const found = (await this.#lay(section, signal)).links(page);
+    const found = await (await this.#lay(section, signal)).links(page);
     const links: PageLink[] = [];
     let laid = 0;
     for (const { href, isNote, ...link } of found) {
@@ -210,7 +210,7 @@ export class FlowSource implements PageSource {
         const there = await this.#edition
           .lay(target.section, signal)
           .catch(() => signal.throwIfAborted());
-        if (isNote) note = there?.note(target.id) ?? "";
+        if (isNote) note = (await there?.note(target.id)) ?? "";
       }
       links.push({ ...link, to: this.#placeOf(target), ...(note === "" ? {} : { note }) });
     }
@@ -219,7 +219,7 @@ export class FlowSource implements PageSource {
 
   async media(index: number, signal: AbortSignal): Promise<readonly PageMedium[]> {
     const { section, page } = this.#at(index);
-    const found = (await this.#lay(section, signal)).media(page);
+    const found = await (await this.#lay(section, signal)).media(page);
     const read = this.#book.medium?.bind(this.#book);
     if (!read) return [];
     return found.map(({ address, ...medium }) => ({
@@ -306,7 +306,7 @@ export class FlowSource implements PageSource {
     });
   }
 
-  async #lay(section: number, signal: AbortSignal): Promise<LaidSection> {
+  async #lay(section: number, signal: AbortSignal): Promise<LaidChapter> {
     const edition = this.#edition;
     try {
       const laid = await edition.lay(section, signal);

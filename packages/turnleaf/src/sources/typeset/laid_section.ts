@@ -68,6 +68,8 @@ export interface SectionMap {
   readonly pageCount: number;
   /** The characters before each page. */
   readonly starts: readonly number[];
+  /** The characters in it. */
+  readonly length: number;
   /** The page (from 0) of each element that has an id. */
   readonly ids: ReadonlyMap<string, number>;
   /**
@@ -308,7 +310,7 @@ async function layIn<T>(
       ? sliceCount(html, page)
       : countPages(html, flow, page);
   const paper = content.size ? "#fff" : paperOf(typography);
-  const map: SectionMap = {
+  const map = {
     pageCount,
     ...mapOf(html, flow, pageCount, isSliced),
     size: content.size ?? {
@@ -322,7 +324,7 @@ async function layIn<T>(
   return done(
     frame,
     flow,
-    { ...map, starts: text.starts },
+    { ...map, starts: text.starts, length: text.length },
     {
       text,
       markup,
@@ -402,7 +404,7 @@ function mapOf(
   flow: PageFlow,
   pageCount: number,
   isScrolled: boolean,
-): Pick<SectionMap, "ids" | "tops" | "starts"> {
+): Pick<SectionMap, "ids" | "tops"> {
   const ids = new Map<string, number>();
   const tops = new Map<string, number>();
   for (const element of html.querySelectorAll("[id], a[name]")) {
@@ -413,7 +415,7 @@ function mapOf(
     ids.set(id, page);
     if (rect && isScrolled) tops.set(id, rect.top / flow.stepY - page);
   }
-  return { ids, tops, starts: [] };
+  return { ids, tops };
 }
 
 /** Returns whether a page's size is usable for a page of fixed layout. */

@@ -3,7 +3,8 @@
 import type { NarratedClip, Narration } from "../page_source.ts";
 import { orAborted } from "../shared_tasks.ts";
 import type { FlowClip, FlowNarration } from "./flow_book.ts";
-import type { LaidSection, Passage, SpokenMark } from "./laid_section.ts";
+import type { LaidChapter } from "./laid_chapter.ts";
+import type { Passage, SpokenMark } from "./laid_section.ts";
 import type { SectionPage } from "./page_numbers.ts";
 
 /** Recordings that are kept: the one that is heard, and the next. */
@@ -16,7 +17,7 @@ export interface NarratedPages {
   /** Returns the index of a section's page. */
   indexOf(section: number, page: number): number;
   /** Lays a section out. Rejects as `draw` does. */
-  lay(section: number, signal: AbortSignal): Promise<LaidSection>;
+  lay(section: number, signal: AbortSignal): Promise<LaidChapter>;
   /** Draws pages of a section anew; all of them if `pages` is null. */
   redraw(section: number, pages: readonly number[] | null): void;
 }
@@ -60,7 +61,7 @@ export class Narrator implements Narration {
     // One that begins on a page before may be all that stands here.
     const before = (number ?? clips.length) - 1;
     const clip = clips[before];
-    const passage = isHere(clip) ? laid.passage(clip.target.id) : null;
+    const passage = isHere(clip) ? await laid.passage(clip.target.id) : null;
     return passage && (passage.pages.at(-1)?.page ?? -1) >= page ? before : number;
   }
 
@@ -72,7 +73,7 @@ export class Narrator implements Narration {
       this.#pages.lay(target.section, signal),
       clip.recording === null ? null : orAborted(this.#recording(clip.recording), signal),
     ]);
-    const { text, pages } = laid.passage(target.id) ?? missing;
+    const { text, pages } = (await laid.passage(target.id)) ?? missing;
     this.#know(number, target.section, target.id, pages);
     const onPages = pages.map(({ page, from }) => ({
       page: this.#pages.indexOf(target.section, page),

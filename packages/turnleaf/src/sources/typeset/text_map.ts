@@ -36,6 +36,8 @@ export function pageOfRect({ stepX, stepY }: PageFlow, rect: DOMRect): number {
 export class TextMap {
   /** The number of characters before each page; that of the next one for a page without text. */
   readonly starts: readonly number[];
+  /** The number of all characters. */
+  readonly length: number;
   readonly #flow: PageFlow;
   readonly #pieces: readonly Piece[];
   readonly #range: Range;
@@ -63,6 +65,7 @@ export class TextMap {
       starts[page] = next;
     }
     this.starts = starts as number[];
+    this.length = offset;
     this.#pieces = pieces;
   }
 

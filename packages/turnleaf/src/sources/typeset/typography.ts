@@ -2,6 +2,7 @@
 
 import { areaDeclarations } from "../markup/paged_css.ts";
 import type { PageSize, Typography } from "../page_source.ts";
+import { pieceStyle } from "./divide.ts";
 
 /** Typography as the book has it. */
 export const ownTypography: Typography = {
@@ -93,8 +94,7 @@ const bodyStyle = `body {
 }`;
 
 /** Everything in it. */
-const everyStyle =
-  "* { text-rendering: geometricPrecision !important; overflow-wrap: break-word; animation: none !important; transition: none !important; }";
+const everyStyle = `* { text-rendering: geometricPrecision !important; overflow-wrap: break-word; animation: none !important; transition: none !important; }${pieceStyle}`;
 
 /** Returns the style sheet that sets a section into pages as columns. */
 export function columnStyle(page: PageMeasures, isVertical: boolean, direction: string): string {
