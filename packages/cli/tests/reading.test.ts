@@ -3,13 +3,13 @@
 import { readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import type { Page } from "playwright-core";
-import { afterEach, expect, test } from "vitest";
+import { afterAll, afterEach, beforeAll, expect, test } from "vitest";
 import { png } from "./books.ts";
 import { chromiumForTests } from "./browser.ts";
 import { folderOf, type Started, start } from "./command.ts";
 import { bookSettles, passTime, passTimeUntil, pauseClock } from "./waiting.ts";
 
-const book = fileURLToPath(new URL("../../../books/moby-dick.pdf", import.meta.url));
+const whale = fileURLToPath(new URL("../../../books/moby-dick.pdf", import.meta.url));
 const other = fileURLToPath(new URL("../../../books/others/charis-features.pdf", import.meta.url));
 
 // Small: rendering is in software here.
@@ -24,6 +24,16 @@ const running: Started[] = [];
 
 afterEach(async () => {
   for (const served of running.splice(0)) await served.stop();
+});
+
+/** The default book, for all tests that read it. */
+let book: Started;
+
+beforeAll(async () => {
+  book = await start(whale, "--no-open", "--port", "0");
+});
+afterAll(async () => {
+  await book?.stop();
 });
 
 async function serve(path: string): Promise<Started> {
@@ -138,12 +148,7 @@ const leftText = { x: 0.27, y: 0.41, width: 0.17, height: 0.29 };
 const rightText = { x: 0.56, y: 0.41, width: 0.17, height: 0.29 };
 
 test("the default book opens, is dragged over, and rests", async () => {
-  const served = await serve(book);
-  // It opens where it asks to: at the ship that faces its first chapter.
-  const { page: first } = await open(served, "");
-  expect(await shownPage(first)).toBe(18);
-  await first.context().close();
-  const { page, errors } = await open(served, "#page=22", drawing);
+  const { page, errors } = await open(book, "#page=22", drawing);
   expect(await shownPage(page)).toBe(22);
   expect(
     await page.evaluate(() => document.querySelector("turnleaf-book")?.pageCount),
@@ -203,26 +208,28 @@ test("the default book opens, is dragged over, and rests", async () => {
 });
 
 test("keys, clicks and commands turn pages and land at their pages", async () => {
-  const served = await serve(book);
-  const { page, errors } = await open(served, "#page=30");
+  const { page, errors } = await open(book, "");
+  // It opens where it asks to: at the ship that faces its first chapter.
+  expect(await shownPage(page)).toBe(18);
   await hurry(page);
   await page.keyboard.press("ArrowRight");
   await settle(page);
-  expect(await shownPage(page)).toBe(32);
+  expect(await shownPage(page)).toBe(20);
   await page.keyboard.press("ArrowLeft");
   await settle(page);
-  expect(await shownPage(page)).toBe(30);
+  expect(await shownPage(page)).toBe(18);
 
   const x = await findEdge(page, "right", 0.6);
   await page.mouse.click(x - 6, viewport.height * 0.6);
   await settle(page);
-  expect(await shownPage(page)).toBe(32);
+  expect(await shownPage(page)).toBe(20);
 
   const landed = await page.evaluate(() => document.querySelector("turnleaf-book")?.goTo(77));
   expect(landed).toBe(true);
   expect(await shownPage(page)).toBe(76);
 
-  // The covers, and back to the middle.
+  // The covers, and back to the middle: no leaf need fly to land there.
+  await page.emulateMedia({ reducedMotion: "reduce" });
   for (const [wanted, lands] of [
     [1, 1],
     [112, 112],
@@ -233,6 +240,8 @@ test("keys, clicks and commands turn pages and land at their pages", async () =>
     ).toBe(true);
     expect(await shownPage(page)).toBe(lands);
   }
+
+  await page.emulateMedia({ reducedMotion: "no-preference" });
 
   // A second command takes over from the first, whose promise resolves to false.
   const [first, second] = await page.evaluate(async () => {
@@ -245,8 +254,7 @@ test("keys, clicks and commands turn pages and land at their pages", async () =>
 });
 
 test("a running turn is caught and taken back", async () => {
-  const served = await serve(book);
-  const { page, errors } = await open(served, "#page=40");
+  const { page, errors } = await open(book, "#page=40");
   await pauseClock(page);
   await page.evaluate(() => {
     const element = document.querySelector("turnleaf-book");
