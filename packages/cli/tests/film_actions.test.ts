@@ -227,7 +227,7 @@ describe("films", () => {
   });
 
   it.each([
-    ["next, crumple", '"crumple" cannot be done: no loose sheet is whole.\n'],
+    ["wait 0.25, crumple", '"crumple" cannot be done: no loose sheet is whole.\n'],
     [
       "fold 3 0,0 1,1",
       '"fold 3 0,0 1,1" cannot be done: A page cannot be folded along a line that',

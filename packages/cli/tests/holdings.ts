@@ -101,9 +101,9 @@ export function countHoldings(): void {
     holdings.frames++;
     return request(call);
   };
-  const { setTimeout, clearTimeout } = globalThis;
+  const { setTimeout: start, clearTimeout } = globalThis;
   globalThis.setTimeout = ((call: (...given: unknown[]) => void, delay?: number, ...given: []) => {
-    const id = setTimeout(() => {
+    const id = start(() => {
       holdings.timers.delete(id);
       call(...given);
     }, delay) as unknown as number;

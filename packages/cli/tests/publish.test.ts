@@ -29,6 +29,7 @@ import {
   small,
   visit,
 } from "./publishing.ts";
+import { comesTo } from "./waiting.ts";
 
 /** Two books at a time. */
 const byTwo = ["--workers", "2"];
@@ -267,7 +268,7 @@ describe("a book that was drawn", () => {
     );
     expect((await publish(["--merge", shard, "--out", site])).status).toBe(0);
     const { page, server } = await visit(site);
-    await page.waitForLoadState("networkidle");
+    await comesTo(page, areCoversLoaded, true);
     const first = server.asked.filter((address) => !address.includes("service-worker")).length;
     expect(await page.locator(".shelf li").count()).toBe(48);
     // The page, its style, scripts and icon, and the covers in and just below the window.
@@ -280,6 +281,18 @@ describe("a book that was drawn", () => {
     expect(server.asked.length - before).toBeLessThanOrEqual(80);
   });
 });
+
+/**
+ * Runs in a page. Returns whether the covers in the window are loaded: those just below it are asked
+ * for with them.
+ */
+function areCoversLoaded(): boolean {
+  const covers = [...document.querySelectorAll<HTMLImageElement>(".shelf img")];
+  const seen = covers.filter((cover) => cover.getBoundingClientRect().top < innerHeight);
+  return (
+    seen.length > 0 && seen.every(({ complete, naturalWidth }) => complete && naturalWidth > 0)
+  );
+}
 
 /** A PDF whose first page would take hours to draw, and whose second is plain. */
 function slowPdf(): Buffer {
