@@ -13,7 +13,8 @@ NPM_QUIET = --no-audit --no-fund --loglevel=error
 CLI = packages/cli/dist/main.js
 MODULES = node_modules/.package-lock.json
 TOOLS = target/check_tools/bin
-SOURCES = $(shell find packages -type f -not -path '*/node_modules/*' -not -path '*/dist/*')
+# What is built, of which no test is a part.
+SOURCES = $(shell find packages -type f -not -path '*/node_modules/*' -not -path '*/dist/*' -not -path '*/tests/*' -not -path '*/for_tests/*' -not -name '*.test.ts')
 RUST_SOURCES = $(shell find Cargo.toml Cargo.lock rust-toolchain.toml engine/Cargo.toml wasm/Cargo.toml engine/src wasm/src -type f)
 
 .PHONY: read build wasm unpacker test test-rust test-js test-long check check-rust check-js check-licences size bench bench-peers bench-hanging gestures gestures-creases soak soak-folds fuzz playground examples pictures films methods recordings photographs reference site book clean tools-rust chromium browsers engines test-apps test-iiif test-cluster test-publish corpora report-epub

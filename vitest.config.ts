@@ -95,8 +95,12 @@ function inChromium(
   };
 }
 
-/** Files that run in Node, one at a time. */
-function inNode(name: string, include: string[], exclude: string[] = []): TestProjectConfiguration {
+/** Files that run in Node, one at a time; those of what is built say so if it is stale. */
+function inNode(
+  name: string,
+  include: string[],
+  { exclude = [], isOfBuild = false }: { exclude?: string[]; isOfBuild?: boolean } = {},
+): TestProjectConfiguration {
   return {
     plugins: [wasmInline(), turnInline(), packedFiles(), workerInline(), svelteFiles()],
     assetsInclude: ["**/*.tlkf", ...archives],
@@ -109,6 +113,7 @@ function inNode(name: string, include: string[], exclude: string[] = []): TestPr
         ...["**/node_modules/**", "**/dist/**"],
       ],
       testTimeout: 120_000,
+      globalSetup: isOfBuild ? ["scripts/stale_build.mjs"] : [],
       ...beside,
     },
   };
@@ -121,8 +126,8 @@ function inNode(name: string, include: string[], exclude: string[] = []): TestPr
 export default defineConfig({
   test: {
     projects: [
-      inNode("engines", [engines]),
-      inNode("command", ["packages/cli/**/*.test.ts"], [engines]),
+      inNode("engines", [engines], { isOfBuild: true }),
+      inNode("command", ["packages/cli/**/*.test.ts"], { exclude: [engines], isOfBuild: true }),
       inNode("node", [
         "packages/turnleaf/**/*.test.{ts,mjs}",
         "books/**/*.test.{ts,mjs}",

@@ -5,7 +5,7 @@ import { createServer, type Server } from "node:http";
 import type { AddressInfo } from "node:net";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
-import { type Browser, chromium } from "playwright-core";
+import { type Browser, chromium, type Page } from "playwright-core";
 import { afterAll, beforeAll, expect, it } from "vitest";
 import { chromiumArguments, findChromium } from "../../../scripts/chromium.mjs";
 import { page as pageOf } from "./books.ts";
@@ -18,6 +18,11 @@ const html = `<!doctype html><title>Turn</title><script type="importmap">
 <script type="module">
 import * as THREE from "three";
 import { GLTFLoader } from "three/addons/loaders/GLTFLoader.js";
+// One for all pictures: another would compile its shaders anew, which takes seconds in software.
+const [width, height] = [200, 150];
+const renderer = new THREE.WebGLRenderer({ preserveDrawingBuffer: true });
+renderer.setSize(width, height);
+document.body.append(renderer.domElement);
 globalThis.show = async (time) => {
   const gltf = await new GLTFLoader().loadAsync("/turn.glb");
   const mixer = new THREE.AnimationMixer(gltf.scene);
@@ -40,13 +45,10 @@ globalThis.show = async (time) => {
   const camera = new THREE.PerspectiveCamera(35, 4 / 3, 0.01, 10);
   camera.position.set(0, 0.42, 0.28);
   camera.lookAt(0, 0.03, -0.1);
-  const renderer = new THREE.WebGLRenderer({ preserveDrawingBuffer: true });
-  renderer.setSize(400, 300);
-  document.body.append(renderer.domElement);
   renderer.render(scene, camera);
-  const pixels = new Uint8Array(400 * 300 * 4);
+  const pixels = new Uint8Array(width * height * 4);
   const gl = renderer.getContext();
-  gl.readPixels(0, 0, 400, 300, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+  gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
   let [red, blue] = [0, 0];
   for (let i = 0; i < pixels.length; i += 4) {
     if (pixels[i] > pixels[i + 2] + 60) red++;
@@ -59,6 +61,7 @@ globalThis.show = async (time) => {
 let folder: ReturnType<typeof folderOf>;
 let server: Server;
 let browser: Browser;
+let page: Page;
 
 beforeAll(async () => {
   folder = folderOf({
@@ -79,6 +82,9 @@ beforeAll(async () => {
   });
   await new Promise<void>((resolve) => server.listen(0, "127.0.0.1", resolve));
   browser = await chromium.launch({ executablePath: findChromium(), args: chromiumArguments });
+  page = await browser.newPage();
+  await page.goto(`http://127.0.0.1:${(server.address() as AddressInfo).port}/`);
+  await page.waitForFunction(() => "show" in globalThis);
 });
 afterAll(async () => {
   await browser.close();
@@ -86,6 +92,9 @@ afterAll(async () => {
   await new Promise<void>((resolve) => server.close(() => resolve()));
   folder.remove();
 });
+
+/** A leaf of few points: three is to put each where it is. */
+const bake = ["bake", "--stock", "office", "--size", "140x210", "--points", "14x20"];
 
 interface Shown {
   readonly places: readonly (readonly (readonly number[])[])[];
@@ -97,14 +106,11 @@ interface Shown {
 it("three shows a fold, the verso's picture on what is folded over", async () => {
   const at = (name: string): string => join(folder.path, name);
   const crease = ["--crease", "0.5,0 0.5,1 160"];
-  const args = ["bake", "--stock", "office", "--size", "140x210", ...crease];
+  const args = [...bake, "--seconds", "0.4", ...crease];
   const pictures = ["--front", at("front.png"), "--back", at("back.png")];
   expect((await run(...args, ...pictures, "--out", at("turn.glb"))).status).toBe(0);
   await run(...args, "--fps", "120", "--out", at("turn.json"));
   const { frames } = JSON.parse(readFileSync(at("turn.json"), "utf8")) as { frames: number[][] };
-  const page = await browser.newPage();
-  await page.goto(`http://127.0.0.1:${(server.address() as AddressInfo).port}/`);
-  await page.waitForFunction(() => "show" in globalThis);
   const shown: Shown[] = [];
   for (const time of [0, (frames.length - 1) / 120 - 1e-4]) {
     const now = await page.evaluate(
@@ -126,15 +132,12 @@ it("three shows a fold, the verso's picture on what is folded over", async () =>
 
 it("three shows the turn where it is, its recto before and its verso after", async () => {
   const at = (name: string): string => join(folder.path, name);
-  const args = ["bake", "--stock", "office", "--seconds", "0.8", "--size", "140x210"];
+  const args = [...bake, "--seconds", "0.8"];
   const pictures = ["--front", at("front.png"), "--back", at("back.png")];
   expect((await run(...args, ...pictures, "--out", at("turn.glb"))).status).toBe(0);
   await run(...args, "--fps", "120", "--out", at("turn.json"));
   const frames = JSON.parse(readFileSync(at("turn.json"), "utf8")).frames as number[][];
 
-  const page = await browser.newPage();
-  await page.goto(`http://127.0.0.1:${(server.address() as AddressInfo).port}/`);
-  await page.waitForFunction(() => "show" in globalThis);
   const shown: Shown[] = [];
   for (const frame of [0, 36, 52, frames.length - 1]) {
     const now = await page.evaluate(
@@ -160,9 +163,9 @@ it("three shows the turn where it is, its recto before and its verso after", asy
     }
   }
   const [first, , , last] = shown;
-  expect(first?.red).toBeGreaterThan(4000);
+  expect(first?.red).toBeGreaterThan(1000);
   expect(first?.blue).toBe(0);
-  expect(last?.blue).toBeGreaterThan(4000);
+  expect(last?.blue).toBeGreaterThan(1000);
   expect(last?.red).toBe(0);
-  expect(shown[1]?.red && shown[1].red + (shown[1]?.blue ?? 0)).toBeGreaterThan(2000);
+  expect(shown[1]?.red && shown[1].red + (shown[1]?.blue ?? 0)).toBeGreaterThan(500);
 }, 120_000);

@@ -1,4 +1,4 @@
-import { type ChildProcess, spawn } from "node:child_process";
+import { type ChildProcess, type SpawnOptions, spawn } from "node:child_process";
 import { mkdirSync, mkdtempSync, realpathSync, rmSync, writeFileSync } from "node:fs";
 import { request } from "node:http";
 import { tmpdir } from "node:os";
@@ -34,8 +34,13 @@ interface Running {
   readonly ended: Promise<Ended>;
 }
 
-function launch(args: readonly string[], environment: NodeJS.ProcessEnv = {}): Running {
+function launch(
+  args: readonly string[],
+  environment: NodeJS.ProcessEnv = {},
+  options: SpawnOptions = {},
+): Running {
   const child = spawn(process.execPath, [main, ...args], {
+    ...options,
     env: { ...process.env, CI: "1", ...environment },
     stdio: ["ignore", "pipe", "pipe"],
   });
@@ -52,14 +57,9 @@ function launch(args: readonly string[], environment: NodeJS.ProcessEnv = {}): R
   return { child, text, ended };
 }
 
-/** Runs the built command until it ends by itself. */
-export async function run(...args: string[]): Promise<Ended> {
-  const { child, ended } = launch(args);
-  const timer = setTimeout(() => child.kill("SIGKILL"), 30_000);
-  const result = await ended;
-  clearTimeout(timer);
-  return result;
-}
+/** Runs the built command until it ends by itself, or is killed after half a minute. */
+export const run = (...args: string[]): Promise<Ended> =>
+  launch(args, {}, { timeout: 30_000, killSignal: "SIGKILL" }).ended;
 
 /**
  * Runs the built command, which draws in a Chromium, until it ends by itself.
@@ -85,6 +85,7 @@ export function signalOnce(
   condition: () => boolean,
   signal: NodeJS.Signals,
 ): void {
+  // biome-ignore lint/plugin: Files of another process are only seen by looking.
   const timer = setInterval(() => {
     if (!condition()) return;
     clearInterval(timer);

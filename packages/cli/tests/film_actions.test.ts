@@ -1,6 +1,6 @@
 /** What is done in a film: arguments, and films of folds and tears by the built command. */
 
-import { existsSync, readdirSync, readFileSync } from "node:fs";
+import { cpSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { PNG } from "pngjs";
 import { afterAll, beforeAll, describe, expect, it, test } from "vitest";
@@ -12,7 +12,7 @@ import type { FilmCommand } from "../src/film/film_arguments.ts";
 import { type Frames, mostPictures } from "../src/film/frames.ts";
 import { Progress } from "../src/progress.ts";
 import { page as coloured } from "./books.ts";
-import { type Ended, folderOf, runWithChromium, signalOnce } from "./command.ts";
+import { type Ended, folderOf, runWithChromium } from "./command.ts";
 
 const parse = (...args: string[]): FilmCommand =>
   parseCommand(["film", "a.pdf", "--out", "a", ...args]) as FilmCommand;
@@ -140,20 +140,17 @@ describe("films", () => {
   const size = { width: 160, height: 96 };
   const small = ["--size", "160x96", "--fps", "8", "--seconds-per-turn", "0.5", "--pause", "0.25"];
 
-  const film = (
-    name: string,
-    does: string,
-    watch?: Parameters<typeof runWithChromium>[1],
-  ): Promise<Ended> => {
+  const film = (name: string, does: string): Promise<Ended> => {
     const out = join(folder.path, name);
     const args = [join(folder.path, "book"), ...small, "--pages", "2", "--do", does, "--out", out];
-    return runWithChromium(["film", ...args], watch);
+    return runWithChromium(["film", ...args]);
   };
-  const pictures = (name: string): Buffer[] =>
+  const picturesIn = (name: string): string[] =>
     readdirSync(join(folder.path, name))
       .filter((file) => file.endsWith(".png"))
-      .sort()
-      .map((file) => readFileSync(join(folder.path, name, file)));
+      .sort();
+  const pictures = (name: string): Buffer[] =>
+    picturesIn(name).map((file) => readFileSync(join(folder.path, name, file)));
 
   /** Returns the mean difference of two pictures between two columns, of 255. */
   const difference = (a: Buffer, b: Buffer, from: number, to: number): number => {
@@ -167,60 +164,70 @@ describe("films", () => {
     return sum / (3 * size.height * (to - from));
   };
 
-  it("shows folds and tears, ends by itself, and is the same pictures where it was stopped", async () => {
-    const does = "fold 3 0.6,0 0.6,1, unfold 3, next, tear-out 5, crumple";
-    const done = await film("whole", does);
-    expect(done).toMatchObject({
-      status: 0,
-      stdout: expect.stringMatching(/: \d+ frames, 5 actions, \d+\.\d s\n$/),
-    });
-    const whole = pictures("whole");
-    const note = JSON.parse(readFileSync(join(folder.path, "whole", "film.json"), "utf8"));
-    const ends: number[] = note.parts.map((_: number, part: number) =>
-      note.parts.slice(0, part + 1).reduce((sum: number, count: number) => sum + count, -1),
-    );
-    expect(ends).toHaveLength(6);
-    const [flat, folded, unfolded, turned, torn, ball] = ends.map((end) => whole[end] as Buffer);
-    const middle = size.width / 2;
-    const right = (a?: Buffer, b?: Buffer): number =>
-      difference(a as Buffer, b as Buffer, middle + 4, size.width);
-    const left = (a?: Buffer, b?: Buffer): number =>
-      difference(a as Buffer, b as Buffer, 0, middle - 4);
-    // The page on the right is folded, and nothing on the left.
-    expect(right(flat, folded)).toBeGreaterThan(5);
-    expect(left(flat, folded)).toBeLessThan(1);
-    expect(right(flat, unfolded)).toBeLessThan(right(flat, folded) / 2);
-    expect(right(turned, torn)).toBeGreaterThan(5);
-    expect(right(torn, ball)).toBeGreaterThan(1);
-    // No frame is empty: the page on the left lies there in each until it turns.
-    for (const [k, picture] of whole.slice(0, (ends[2] as number) + 1).entries()) {
-      expect(left(flat, picture), `frame ${k + 1}`).toBeLessThan(8);
-    }
+  describe("of folds and tears", () => {
+    const does = "fold 3 0.6,0 0.6,1, unfold 3, next, tear-out 5, crumple, wait 0.25";
+    let done: Ended;
+    let whole: Buffer[];
+    let note: { readonly parts: number[] };
+    beforeAll(async () => {
+      done = await film("whole", does);
+      whole = pictures("whole");
+      note = JSON.parse(readFileSync(join(folder.path, "whole", "film.json"), "utf8"));
+    }, 240_000);
+    /** Returns the number of pictures in so many parts. */
+    const picturesOf = (parts: number): number =>
+      note.parts.slice(0, parts).reduce((sum, count) => sum + count, 0);
 
-    const half = (ends[3] as number) + 3;
-    const stopped = await film("stopped", does, (child) => {
+    it("show them, and end by themselves", () => {
+      expect(done).toMatchObject({
+        status: 0,
+        stdout: expect.stringMatching(/: \d+ frames, 6 actions, \d+\.\d s\n$/),
+      });
+      expect(note.parts).toHaveLength(7);
+      expect(note.parts.at(-1), "a wait of 0.25 s at 8 frames a second").toBe(2);
+      const ends = note.parts.map((_, part) => whole[picturesOf(part + 1) - 1] as Buffer);
+      const [flat, folded, unfolded, turned, torn, ball] = ends;
+      const middle = size.width / 2;
+      const right = (a?: Buffer, b?: Buffer): number =>
+        difference(a as Buffer, b as Buffer, middle + 4, size.width);
+      const left = (a?: Buffer, b?: Buffer): number =>
+        difference(a as Buffer, b as Buffer, 0, middle - 4);
+      // The page on the right is folded, and nothing on the left.
+      expect(right(flat, folded)).toBeGreaterThan(5);
+      expect(left(flat, folded)).toBeLessThan(1);
+      expect(right(flat, unfolded)).toBeLessThan(right(flat, folded) / 2);
+      expect(right(turned, torn)).toBeGreaterThan(5);
+      expect(right(torn, ball)).toBeGreaterThan(1);
+      // No frame is empty: the page on the left lies there in each until it turns.
+      for (const [k, picture] of whole.slice(0, picturesOf(3)).entries()) {
+        expect(left(flat, picture), `frame ${k + 1}`).toBeLessThan(8);
+      }
+    });
+
+    it("are the same pictures where they go on in the middle of an action", async () => {
+      // As it was stopped, three pictures into the fourth action.
+      const kept = picturesOf(4) + 3;
       const path = join(folder.path, "stopped");
-      signalOnce(child, () => existsSync(path) && pictures("stopped").length >= half, "SIGINT");
-    });
-    expect(stopped.status).toBe(1);
-    expect(pictures("stopped").length).toBeLessThan(whole.length);
-    expect((await film("stopped", does)).status).toBe(0);
-    const again = pictures("stopped");
-    expect(again).toHaveLength(whole.length);
-    for (const [k, picture] of again.entries()) {
-      expect(picture.equals(whole[k] as Buffer), `frame ${k + 1}`).toBe(true);
-    }
-  }, 240_000);
+      cpSync(join(folder.path, "whole"), path, { recursive: true });
+      for (const name of picturesIn("stopped").slice(kept)) rmSync(join(path, name));
+      const stopped = { ...note, parts: note.parts.slice(0, 4), whole: false };
+      writeFileSync(join(path, "film.json"), JSON.stringify(stopped));
+      expect((await film("stopped", does)).status).toBe(0);
+      const again = pictures("stopped");
+      expect(again).toHaveLength(whole.length);
+      for (const [k, picture] of again.entries()) {
+        expect(picture.equals(whole[k] as Buffer), `frame ${k + 1}`).toBe(true);
+      }
+    }, 240_000);
 
-  it("another action is another film", async () => {
-    const first = await film("other", "wait 0.25");
-    expect(first.stdout).toMatch(/: 4 frames, 1 actions, 0\.5 s\n$/);
-    const second = await film("other", "wait 0.5");
-    expect(second.stderr).toContain("holds other files or another film");
-  }, 60_000);
+    it("of another action are another film", async () => {
+      const { stderr } = await film("whole", "wait 0.5");
+      expect(stderr).toContain("holds other files or another film");
+    });
+  });
 
   it.each([
-    ["next, crumple", '"crumple" cannot be done: no loose sheet is whole.\n'],
+    ["wait 0.25, crumple", '"crumple" cannot be done: no loose sheet is whole.\n'],
     [
       "fold 3 0,0 1,1",
       '"fold 3 0,0 1,1" cannot be done: A page cannot be folded along a line that',

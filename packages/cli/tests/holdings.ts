@@ -20,31 +20,32 @@ export function countHoldings(): void {
   performance.setResourceTimingBufferSize(0);
   Object.assign(globalThis, { holdings });
 
-  const gl = WebGL2RenderingContext.prototype;
-  const bound = new WeakMap<WebGL2RenderingContext, Map<number, WebGLTexture | null>>();
-  const { bindTexture, texStorage2D, deleteTexture } = gl;
-  gl.bindTexture = function (target, texture) {
-    const places = bound.get(this) ?? new Map();
-    bound.set(this, places.set(target, texture));
-    bindTexture.call(this, target, texture);
+  /** Counts the textures of a context. Of one that draws nothing the methods are its own. */
+  const watchTextures = (gl: WebGL2RenderingContext): void => {
+    const bound = new Map<number, WebGLTexture | null>();
+    const { bindTexture, texStorage2D, deleteTexture } = gl;
+    gl.bindTexture = (target, texture) => {
+      bound.set(target, texture);
+      bindTexture.call(gl, target, texture);
+    };
+    gl.texStorage2D = (target, levels, format, width, height) => {
+      const texture = bound.get(target);
+      // Smaller levels take a third as much again.
+      if (texture) holdings.textures.set(texture, width * height * 4 * (levels > 1 ? 4 / 3 : 1));
+      texStorage2D.call(gl, target, levels, format, width, height);
+    };
+    gl.deleteTexture = (texture) => {
+      if (texture) holdings.textures.delete(texture);
+      deleteTexture.call(gl, texture);
+    };
   };
-  gl.texStorage2D = function (target, levels, format, width, height) {
-    const texture = bound.get(this)?.get(target);
-    // Smaller levels take a third as much again.
-    if (texture) holdings.textures.set(texture, width * height * 4 * (levels > 1 ? 4 / 3 : 1));
-    texStorage2D.call(this, target, levels, format, width, height);
-  };
-  gl.deleteTexture = function (texture) {
-    if (texture) holdings.textures.delete(texture);
-    deleteTexture.call(this, texture);
-  };
-
   const { getContext } = HTMLCanvasElement.prototype;
   HTMLCanvasElement.prototype.getContext = function (this: HTMLCanvasElement, ...args: unknown[]) {
     const context = Reflect.apply(getContext, this, args);
-    if (context instanceof WebGL2RenderingContext) {
-      const isNew = holdings.contexts.every((known) => known.deref() !== context);
-      if (isNew) holdings.contexts.push(new WeakRef(context));
+    if (args[0] !== "webgl2" || !context) return context;
+    if (holdings.contexts.every((known) => known.deref() !== context)) {
+      holdings.contexts.push(new WeakRef(context));
+      watchTextures(context);
     }
     return context;
   } as typeof getContext;
@@ -100,9 +101,9 @@ export function countHoldings(): void {
     holdings.frames++;
     return request(call);
   };
-  const { setTimeout, clearTimeout } = globalThis;
+  const { setTimeout: start, clearTimeout } = globalThis;
   globalThis.setTimeout = ((call: (...given: unknown[]) => void, delay?: number, ...given: []) => {
-    const id = setTimeout(() => {
+    const id = start(() => {
       holdings.timers.delete(id);
       call(...given);
     }, delay) as unknown as number;

@@ -5,14 +5,15 @@ import type { TurnleafBook } from "turnleaf";
 import { describe, expect, test } from "vitest";
 import { isWebglComplaint } from "../../../scripts/console_watch.mjs";
 import { pdf, png } from "./books.ts";
-import { chromiumForTests } from "./browser.ts";
+import { chromiumForTests, type TestChromium } from "./browser.ts";
 import { countHoldings, framesOfMeasuring, holdingsOf } from "./holdings.ts";
 import { sitesForTests } from "./viewer_page.ts";
 import { bookSettles, passFrames } from "./waiting.ts";
 
 const sites = sitesForTests();
-// What a page holds of textures and contexts only WebGL itself tells.
-const tests = chromiumForTests({ isDrawn: true });
+/** With a real WebGL, which complains of what is done with another context's things, and without. */
+const drawn = chromiumForTests({ isDrawn: true });
+const undrawn = chromiumForTests();
 
 const pageCount = 5000;
 const grey = (page: number): number => 40 + ((page * 37) % 200);
@@ -32,10 +33,10 @@ function images(count: number): (path: string) => Buffer | string | null {
 
 async function open(
   respond: (path: string) => Buffer | string | null,
-  options: { policy?: string; flat?: boolean; calm?: boolean } = {},
+  options: { policy?: string; flat?: boolean; calm?: boolean; of?: TestChromium } = {},
 ) {
   const site = await sites.serve(respond, options.policy);
-  const page = await tests.newPage({
+  const page = await (options.of ?? undrawn).newPage({
     viewport: { width: 400, height: 300 },
     reducedMotion: options.calm ? "reduce" : "no-preference",
   });
@@ -100,38 +101,38 @@ test("a page without WebAssembly shows a book on the flat, and no error", async 
   expect(complaints).toEqual([]);
 });
 
-/** Books that come and go before anything is counted, and then. */
-const [firstBooks, books] = [12, 6];
+/** Books that come and go once all is compiled that they need. */
+const books = 6;
 
 /** Bytes of heap that they may leave: what the browser compiles and learns while they run. */
 const mostHeapLeft = 240_000;
 
 describe.each([
-  ["images in space", "/book.json", false],
-  ["images on the flat", "/book.json", true],
-  ["a PDF", "/book.pdf", true],
-])("books that come and go: %s", (_, src, flat) => {
+  ["of images, in space", ["/book.json"], false, 12],
+  ["of images and of PDF, on the flat", ["/book.json", "/book.pdf"], true, 18],
+])("books that come and go: %s", (_, sources, flat, firstBooks) => {
   test("some of them leave nothing behind", { timeout: 120_000 }, async () => {
     const file = pdf(9);
     const pages = images(12);
     const respond = (path: string) => (path === "/book.pdf" ? file : pages(path));
-    const { page, session, complaints } = await open(respond, { flat, calm: true });
+    const of = flat ? undrawn : drawn;
+    const { page, session, complaints } = await open(respond, { flat, calm: true, of });
     const comeAndGo = (times: number) =>
       page.evaluate(
-        async ([times, src]) => {
+        async ([times, sources]) => {
           for (let round = 0; round < times; round++) {
             const book = document.createElement("turnleaf-book") as TurnleafBook;
             const loaded = new Promise((resolve) => {
               book.addEventListener("load", resolve, { once: true });
             });
-            book.src = src;
+            book.src = sources[round % sources.length] as string;
             document.body.append(book);
             await loaded;
             await book.next();
             book.remove();
           }
         },
-        [times, src] as const,
+        [times, sources] as const,
       );
     // What the first ones load and compile stays for those to come.
     await comeAndGo(firstBooks);

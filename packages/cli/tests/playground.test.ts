@@ -6,7 +6,13 @@ import type { Browser, Page } from "playwright-core";
 import { decodeTurn } from "turnleaf/keyframes";
 import { afterAll, afterEach, beforeAll, expect, it } from "vitest";
 import { firstSettings } from "../app/playground/settings.ts";
-import { launchChromium, newPage } from "./browser.ts";
+import {
+  type ChromiumOptions,
+  hearComplaints,
+  launchChromium,
+  newPage,
+  pageForTests,
+} from "./browser.ts";
 import { type Started, startServing } from "./command.ts";
 import { comesTo, passTime, passTimeUntil, stopClock, textComesTo } from "./waiting.ts";
 
@@ -17,60 +23,62 @@ const cheap = "left=cylinder&right=cone&seconds=1";
 /** Milliseconds between frames: so few are enough, as leaves move in steps of their own. */
 const [fast, slow] = [50, 250];
 
+/** The page of all tests but the few that need one of their own; its time passes as a test lets it. */
+const tests = pageForTests({ locale: "en-GB" });
+
 let served: Started;
-let browser: Browser;
 let page: Page;
-const complaints: string[] = [];
 
 beforeAll(async () => {
   served = await startServing("playground", "--no-open", "--port", "0");
-  browser = await launchChromium();
+  await stopClock(tests.page);
+  await countFrames(tests.page);
 });
 afterAll(async () => {
-  await browser?.close();
   const ended = await served?.stop();
   expect(ended?.stderr).toBe("");
 });
 afterEach(async () => {
-  await page.context().close();
-  expect(complaints.splice(0)).toEqual([]);
+  if (page !== tests.page) await page.context().close();
+  expect(tests.complaints.splice(0)).toEqual([]);
 });
 
-interface Opening {
-  readonly width?: number;
-  readonly height?: number;
-  /** If true, time passes as on the machine; otherwise only as far as the test lets it. */
-  readonly runs?: boolean;
-}
-
-async function open(link = "", opening: Opening = {}): Promise<void> {
-  await openIn(browser, link, opening);
-}
-
-async function openIn(
-  of: Browser,
-  link: string,
-  { width = 700, height = 480, runs = false }: Opening,
-): Promise<void> {
-  const viewport = { width, height };
-  page = await newPage(of, { viewport, locale: "en-GB", isDrawn: of !== browser });
-  page.on("pageerror", (error) => complaints.push(error.message));
-  page.on("console", (message) => {
-    if (["error", "warning"].includes(message.type())) complaints.push(message.text());
-  });
-  if (!runs) await stopClock(page);
-  await page.addInitScript(() => {
+/** Counts the frames that a page requests, from its next document on. */
+const countFrames = (page: Page): Promise<unknown> =>
+  page.addInitScript(() => {
     const { requestAnimationFrame } = window;
     window.requestAnimationFrame = (call) => {
       Object.assign(window, { asked: (Reflect.get(window, "asked") ?? 0) + 1 });
       return requestAnimationFrame(call);
     };
   });
+
+const usual = { width: 700, height: 480 };
+
+/** Opens the playground, at rest. */
+async function open(link = ""): Promise<void> {
+  page = tests.page;
+  await load(link, usual);
+  await isStill();
+}
+
+/** Opens the playground in a page whose time passes as on the machine. */
+async function openRunning(link = "", size = usual): Promise<void> {
+  await openFresh(tests.page.context().browser() as Browser, {});
+  await load(link, size);
+}
+
+async function openFresh(browser: Browser, options: ChromiumOptions): Promise<void> {
+  page = await newPage(browser, { ...options, locale: "en-GB" });
+  hearComplaints(page, tests.complaints);
+}
+
+async function load(link: string, size: typeof usual): Promise<void> {
+  await page.setViewportSize(size);
   const response = await page.goto(`${served.url}${link && `#${link}`}`);
   expect(response?.headers()["content-security-policy"]).toContain("style-src 'self'");
   // Written once both leaves are drawn.
   await comesTo(page, () => document.querySelectorAll(".plot:first-child p:not(:empty)").length, 2);
-  if (!runs) await isStill();
 }
 
 const status = () => page.getByRole("status").textContent();
@@ -100,10 +108,13 @@ it("draws two leaves and all that is drawn on them without a complaint", async (
   const drawing = await launchChromium({ isDrawn: true });
   try {
     const all = "left=springs-both&masses=yes&springs=yes&lines=yes&strain=yes";
-    await openIn(drawing, all, { width: 300, height: 240 });
+    await openFresh(drawing, { isDrawn: true });
+    await stopClock(page);
+    await load(all, { width: 300, height: 240 });
+    await isStill();
     await press("Turn by edge");
     await passTimeUntil(page, () => page.evaluate(areBothUp), 120);
-    expect(complaints).toEqual([]);
+    expect(tests.complaints).toEqual([]);
   } finally {
     await drawing.close();
   }
@@ -192,7 +203,7 @@ it("plays a replay beside the sheet that was recorded, and it follows a drag", a
 });
 
 it("says how much slower than real time the shell is", async () => {
-  await open("right=shell&nodes=12", { runs: true });
+  await openRunning("right=shell&nodes=12");
   await press("Turn by corner");
   await textComesTo(page, "[role=status]", /^[\d.]+ times slower than real time\.$/);
   await press("Pause");
@@ -226,7 +237,7 @@ it("carries all settings in the link", async () => {
     lines: "yes",
     strain: "yes",
   });
-  await page.context().close();
+  await page.goto("about:blank");
   await open(link);
   expect(await page.getByLabel("Model of the first leaf").inputValue()).toBe("cone");
   expect(await page.getByLabel("Stock").inputValue()).toBe("card");
@@ -360,7 +371,7 @@ it("records a turn as a film and as key frames of either leaf", async () => {
   }
   const film = await downloaded(() => files.first().click());
   // Without a policy that forbids films.
-  const bare = await browser.newPage();
+  const bare = await (page.context().browser() as Browser).newPage();
   const seen = await bare.evaluate(async (base64) => {
     const bytes = Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
     const video = document.createElement("video");
@@ -377,7 +388,7 @@ it("records a turn as a film and as key frames of either leaf", async () => {
 });
 
 it("is named and labelled throughout", async () => {
-  await open("", { width: 390, height: 844, runs: true });
+  await openRunning("", { width: 390, height: 844 });
   await page.evaluate(readFileSync(createRequire(import.meta.url).resolve("axe-core"), "utf8"));
   const found = await page.evaluate(async () => {
     const { axe } = window as never as {

@@ -11,7 +11,7 @@ import {
 } from "node:fs";
 import { join } from "node:path";
 import type { TurnleafBook } from "turnleaf";
-import { expect, test } from "vitest";
+import { beforeAll, describe, expect, test } from "vitest";
 import { findChromium } from "../../../scripts/chromium.mjs";
 import { parseCommand } from "../src/arguments.ts";
 import { Problem } from "../src/problem.ts";
@@ -29,6 +29,10 @@ import {
   small,
   visit,
 } from "./publishing.ts";
+import { comesTo } from "./waiting.ts";
+
+/** Two books at a time. */
+const byTwo = ["--workers", "2"];
 
 test("--keep-file publishes the book's own file with its text", { timeout: patience }, async () => {
   const path = folder({ "a.pdf": textPdf({ title: "A", pages: [["first"], ["second"]] }) });
@@ -78,35 +82,6 @@ test("a broken book is reported and the others are published", { timeout: patien
   );
 });
 
-test("a book that fails stays as it was published before, in a site and in a merge", {
-  timeout: 2 * patience,
-}, async () => {
-  const path = folder({ "a.pdf": textPdf({ title: "A", pages: [["first"]] }) });
-  const [book, shard, site, merged] = ["a.pdf", "shard", "site", "merged"].map((name) =>
-    join(path, name),
-  ) as [string, string, string, string];
-  const asShard = [book, "--out", shard, "--shard", "1/1", ...small];
-  expect((await publish([book, "--out", site, ...small])).status).toBe(0);
-  expect((await publish(asShard)).status).toBe(0);
-  expect((await publish(["--merge", shard, "--out", merged])).status).toBe(0);
-  const before = filesOf(join(site, "books"));
-  rmSync(book);
-  rmSync(join(shard, "books/a"), { recursive: true });
-  const again = await publish([book, "--out", site, ...small]);
-  expect([again.status, again.stderr]).toEqual([
-    1,
-    expect.stringMatching(/a\.pdf was not found.*\n1 failure; the rest was published\.\n$/s),
-  ]);
-  expect((await publish(asShard)).status).toBe(1);
-  expect((await publish(["--merge", shard, "--out", merged])).status).toBe(1);
-  for (const out of [site, merged]) {
-    expect(filesOf(join(out, "books"))).toEqual(before);
-    expect(readFileSync(join(out, "index.html"), "utf8")).toContain("books/a/");
-    const { failures } = JSON.parse(readFileSync(join(out, "report.json"), "utf8"));
-    expect(failures).toEqual([expect.objectContaining({ id: "a" })]);
-  }
-});
-
 test("stopped in a merge, or unable to write, it says so in a sentence", async () => {
   const path = folder({
     "shard/shard.json": '{"number": 1, "count": 1, "ids": ["a"], "failures": []}',
@@ -125,13 +100,21 @@ test("stopped in a merge, or unable to write, it says so in a sentence", async (
 test("stopped while a second browser starts, it leaves none", { timeout: patience }, async () => {
   const path = folder({
     chromium: `#!/bin/sh
-mkdir "$0.first" 2>/dev/null || { echo $$ > "$0.pid"; sleep 3; }
+# The second browser starts once the first was ended.
+if mkdir "$0.first" 2>/dev/null; then
+  echo $$ > "$0.first/pid"
+else
+  echo $$ > "$0.pid"
+  until [ -s "$0.first/pid" ]; do sleep 0.05; done
+  while kill -0 "$(cat "$0.first/pid")" 2>/dev/null; do sleep 0.05; done
+fi
 exec "${findChromium()}" "$@"
 `,
   });
   const program = join(path, "chromium");
   chmodSync(program, 0o755);
-  const args = [...manyBooks(2), "--out", join(path, "site"), "--chromium", program, ...small];
+  const site = join(path, "site");
+  const args = [...manyBooks(2), "--out", site, "--chromium", program, ...small, ...byTwo];
   const { status, stderr } = await publish(args, (child) => {
     signalOnce(child, () => existsSync(`${program}.pid`), "SIGINT");
   });
@@ -154,94 +137,162 @@ test("a page that takes too long is given up, and the next is drawn; the next ru
   const { failures } = JSON.parse(readFileSync(join(site, "report.json"), "utf8"));
   expect(failures).toEqual([expect.objectContaining({ id: "slow", page: 1 })]);
   expect(existsSync(join(site, "books/slow/iiif/2/full/max/0/default.jpg"))).toBe(true);
-  expect((await publish(args)).stdout).toContain("1 book, 1 drawn, 0 unchanged");
-});
-
-test(`${bookCount} books in two shards are the same bytes as in one run`, {
-  timeout: 3 * patience,
-}, async () => {
-  const books = manyBooks(bookCount);
-  const path = folder();
-  const [one, a, b, merged] = ["one", "a", "b", "merged"].map((name) => join(path, name));
-  const options = [...small, "--url", "https://books.example/"];
-  expect((await publish([...books, "--out", one!, ...options])).status).toBe(0);
-  for (const [out, shard] of [
-    [a!, "1/2"],
-    [b!, "2/2"],
-  ] as const) {
-    expect((await publish([...books, "--out", out, ...options, "--shard", shard])).status).toBe(0);
-  }
-  const missing = await publish(["--merge", a!, "--out", merged!, ...options]);
-  expect([missing.status, missing.stderr]).toEqual([1, "Shard 2 of 2 is missing.\n"]);
-  rmSync(merged!, { recursive: true });
-  // In any order.
-  expect((await publish(["--merge", b!, a!, "--out", merged!, ...options])).status).toBe(0);
-  expect(filesOf(merged!)).toEqual(filesOf(one!));
-  expect(Object.keys(filesOf(one!)).length).toBeGreaterThan(10 * bookCount);
-});
-
-test("killed half-way and started again it ends the same, and redoes at most one book a worker", {
-  timeout: 3 * patience,
-}, async () => {
-  const books = manyBooks(bookCount);
-  const path = folder();
-  const [whole, killed] = ["whole", "killed"].map((name) => join(path, name));
-  expect((await publish([...books, "--out", whole!, ...small])).status).toBe(0);
-  const finished = (): string[] =>
-    existsSync(join(killed!, "books"))
-      ? readdirSync(join(killed!, "books")).filter((name) =>
-          existsSync(join(killed!, "books", name, "record.json")),
-        )
-      : [];
-  await publish([...books, "--out", killed!, ...small], (child) => {
-    signalOnce(child, () => finished().length >= bookCount / 2, "SIGKILL");
+  // The next run draws it again: it is stopped once it has begun to.
+  const again = await publish(args, (child) => {
+    signalOnce(child, () => existsSync(join(site, ".part-slow")), "SIGINT");
   });
-  const kept = finished().length;
-  expect(kept).toBeGreaterThanOrEqual(bookCount / 2);
-  expect(kept).toBeLessThan(bookCount);
-  const again = await publish([...books, "--out", killed!, ...small]);
-  expect(again.stdout).toContain(
-    `${bookCount} books, ${bookCount - kept} drawn, ${kept} unchanged`,
-  );
-  expect(filesOf(killed!)).toEqual(filesOf(whole!));
+  expect(again.stderr).toBe("Stopped; the same command goes on from here.\n");
 });
 
-test("a shelf of 200 books opens with a bounded number of requests", {
-  timeout: 2 * patience,
-}, async () => {
-  const path = folder({ "a.pdf": textPdf({ title: "A", pages: [["albatross"]] }) });
-  const site = join(path, "site");
-  const shard = join(path, "shard");
-  expect(
-    (await publish([join(path, "a.pdf"), "--out", shard, "--shard", "1/1", ...small])).status,
-  ).toBe(0);
-  // One book is drawn; the others have of its files what shelf and search need.
-  const ids = Array.from({ length: 200 }, (_, k) => `volume-${k + 1}`);
-  const drawn = join(shard, "books/a");
-  const files = (readdirSync(drawn, { recursive: true }) as string[]).filter((name) =>
-    /^(record\.json|words\/.*|text\/1\.json|iiif\/1\/full\/\d.*\.jpg)$/.test(name),
-  );
-  for (const id of ids) {
-    for (const name of files) cpSync(join(drawn, name), join(shard, "books", id, name));
-  }
-  writeFileSync(
-    join(shard, "shard.json"),
-    JSON.stringify({ number: 1, count: 1, ids, failures: [] }),
-  );
-  expect((await publish(["--merge", shard, "--out", site])).status).toBe(0);
-  const { page, server } = await visit(site);
-  await page.waitForLoadState("networkidle");
-  const first = server.asked.filter((address) => !address.includes("service-worker")).length;
-  expect(await page.locator(".shelf li").count()).toBe(48);
-  // The page, its style, scripts and icon, and the covers in and just below the window.
-  expect(first).toBeLessThanOrEqual(60);
-  expect(await page.locator("a[rel=next]").getAttribute("href")).toBe("shelf/2.html");
-  const before = server.asked.length;
-  await page.goto(`${server.url}search.html?q=albatross`);
-  await page.locator("#results li").nth(9).waitFor();
-  expect(await page.locator("#search-state").textContent()).toBe("200 books have albatross.");
-  expect(server.asked.length - before).toBeLessThanOrEqual(80);
+describe(`${bookCount} books`, () => {
+  const options = [...small, "--url", "https://books.example/"];
+  let books: string[];
+  /** All of them, published in one run. */
+  let whole: string;
+
+  beforeAll(async () => {
+    books = manyBooks(bookCount);
+    whole = join(folder(), "whole");
+    expect((await publish([...books, "--out", whole, ...options, ...byTwo])).status).toBe(0);
+  }, patience);
+
+  test("in two shards are the same bytes as in one run", { timeout: 3 * patience }, async () => {
+    const path = folder();
+    const [a, b, merged] = ["a", "b", "merged"].map((name) => join(path, name)) as [
+      ...[string, string, string],
+    ];
+    for (const [out, shard] of [
+      [a, "1/2"],
+      [b, "2/2"],
+    ] as const) {
+      const sharded = [...books, "--out", out, ...options, "--shard", shard];
+      expect((await publish(sharded)).status).toBe(0);
+    }
+    const missing = await publish(["--merge", a, "--out", merged, ...options]);
+    expect([missing.status, missing.stderr]).toEqual([1, "Shard 2 of 2 is missing.\n"]);
+    rmSync(merged, { recursive: true });
+    // In any order.
+    expect((await publish(["--merge", b, a, "--out", merged, ...options])).status).toBe(0);
+    expect(filesOf(merged)).toEqual(filesOf(whole));
+    expect(Object.keys(filesOf(whole)).length).toBeGreaterThan(10 * bookCount);
+  });
+
+  test("killed half-way and started again end the same, at most one book a worker drawn twice", {
+    timeout: 3 * patience,
+  }, async () => {
+    const killed = join(folder(), "killed");
+    const finished = (): string[] =>
+      existsSync(join(killed, "books"))
+        ? readdirSync(join(killed, "books")).filter((name) =>
+            existsSync(join(killed, "books", name, "record.json")),
+          )
+        : [];
+    await publish([...books, "--out", killed, ...options, ...byTwo], (child) => {
+      signalOnce(child, () => finished().length >= bookCount / 2, "SIGKILL");
+    });
+    const kept = finished().length;
+    expect(kept).toBeGreaterThanOrEqual(bookCount / 2);
+    expect(kept).toBeLessThan(bookCount);
+    const again = await publish([...books, "--out", killed, ...options]);
+    expect(again.stdout).toContain(
+      `${bookCount} books, ${bookCount - kept} drawn, ${kept} unchanged`,
+    );
+    expect(filesOf(killed)).toEqual(filesOf(whole));
+  });
 });
+
+describe("a book that was drawn", () => {
+  let book: string;
+  /** The only shard of a site of this book. */
+  let drawn: string;
+
+  beforeAll(async () => {
+    const path = folder({ "a.pdf": textPdf({ title: "A", pages: [["albatross"]] }) });
+    [book, drawn] = [join(path, "a.pdf"), join(path, "shard")];
+    const { status } = await publish([book, "--out", drawn, "--shard", "1/1", ...small]);
+    expect(status).toBe(0);
+  }, patience);
+
+  test("stays as it was published before where it fails, in a site and in a merge", {
+    timeout: 2 * patience,
+  }, async () => {
+    const path = folder();
+    const [moved, shard, site, merged] = ["a.pdf", "shard", "site", "merged"].map((name) =>
+      join(path, name),
+    ) as [string, string, string, string];
+    cpSync(book, moved);
+    cpSync(drawn, shard, { recursive: true });
+    cpSync(join(drawn, "books"), join(site, "books"), { recursive: true });
+    const first = await publish([moved, "--out", site, ...small]);
+    expect([first.status, first.stdout]).toEqual([
+      0,
+      expect.stringContaining("1 book, 0 drawn, 1 unchanged"),
+    ]);
+    expect((await publish(["--merge", shard, "--out", merged])).status).toBe(0);
+    const before = filesOf(join(site, "books"));
+    rmSync(moved);
+    rmSync(join(shard, "books/a"), { recursive: true });
+    const again = await publish([moved, "--out", site, ...small]);
+    expect([again.status, again.stderr]).toEqual([
+      1,
+      expect.stringMatching(/a\.pdf was not found.*\n1 failure; the rest was published\.\n$/s),
+    ]);
+    const asShard = await publish([moved, "--out", shard, "--shard", "1/1", ...small]);
+    expect(asShard.status).toBe(1);
+    expect((await publish(["--merge", shard, "--out", merged])).status).toBe(1);
+    for (const out of [site, merged]) {
+      expect(filesOf(join(out, "books"))).toEqual(before);
+      expect(readFileSync(join(out, "index.html"), "utf8")).toContain("books/a/");
+      const { failures } = JSON.parse(readFileSync(join(out, "report.json"), "utf8"));
+      expect(failures).toEqual([expect.objectContaining({ id: "a" })]);
+    }
+  });
+
+  test("on a shelf of 200 books opens with a bounded number of requests", {
+    timeout: 2 * patience,
+  }, async () => {
+    const path = folder();
+    const [shard, site] = [join(path, "shard"), join(path, "site")];
+    // One book is drawn; the others have of its files what shelf and search need.
+    const ids = Array.from({ length: 200 }, (_, k) => `volume-${k + 1}`);
+    const files = (readdirSync(join(drawn, "books/a"), { recursive: true }) as string[]).filter(
+      (name) => /^(record\.json|words\/.*|text\/1\.json|iiif\/1\/full\/\d.*\.jpg)$/.test(name),
+    );
+    for (const id of ids) {
+      for (const name of files)
+        cpSync(join(drawn, "books/a", name), join(shard, "books", id, name));
+    }
+    writeFileSync(
+      join(shard, "shard.json"),
+      JSON.stringify({ number: 1, count: 1, ids, failures: [] }),
+    );
+    expect((await publish(["--merge", shard, "--out", site])).status).toBe(0);
+    const { page, server } = await visit(site);
+    await comesTo(page, areCoversLoaded, true);
+    const first = server.asked.filter((address) => !address.includes("service-worker")).length;
+    expect(await page.locator(".shelf li").count()).toBe(48);
+    // The page, its style, scripts and icon, and the covers in and just below the window.
+    expect(first).toBeLessThanOrEqual(60);
+    expect(await page.locator("a[rel=next]").getAttribute("href")).toBe("shelf/2.html");
+    const before = server.asked.length;
+    await page.goto(`${server.url}search.html?q=albatross`);
+    await page.locator("#results li").nth(9).waitFor();
+    expect(await page.locator("#search-state").textContent()).toBe("200 books have albatross.");
+    expect(server.asked.length - before).toBeLessThanOrEqual(80);
+  });
+});
+
+/**
+ * Runs in a page. Returns whether the covers in the window are loaded: those just below it are asked
+ * for with them.
+ */
+function areCoversLoaded(): boolean {
+  const covers = [...document.querySelectorAll<HTMLImageElement>(".shelf img")];
+  const seen = covers.filter((cover) => cover.getBoundingClientRect().top < innerHeight);
+  return (
+    seen.length > 0 && seen.every(({ complete, naturalWidth }) => complete && naturalWidth > 0)
+  );
+}
 
 /** A PDF whose first page would take hours to draw, and whose second is plain. */
 function slowPdf(): Buffer {

@@ -11,8 +11,8 @@ import { hearComplaints, launchChromium, newPage as newPageIn } from "./browser.
 import { type Ended, folderOf, runWithChromium } from "./command.ts";
 import { type SiteServer, serveSite } from "./site_server.ts";
 
-/** Small pictures: drawing is in software here. */
-export const small: readonly string[] = ["--size", "256", "--workers", "2"];
+/** Small pictures, as drawing is in software here, by one browser: starting another takes longer. */
+export const small: readonly string[] = ["--size", "256", "--workers", "1"];
 /** Books of the tests of many; `TURNLEAF_BOOKS=200 npx vitest run publish` for more. */
 export const bookCount: number = Number(process.env.TURNLEAF_BOOKS ?? 4);
 export const patience: number = 60_000 + 10_000 * bookCount;

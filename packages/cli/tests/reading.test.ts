@@ -3,27 +3,46 @@
 import { readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import type { Page } from "playwright-core";
-import { afterEach, expect, test } from "vitest";
+import { afterAll, afterEach, beforeAll, expect, test } from "vitest";
 import { png } from "./books.ts";
-import { chromiumForTests } from "./browser.ts";
+import { pageForTests } from "./browser.ts";
 import { folderOf, type Started, start } from "./command.ts";
 import { bookSettles, passTime, passTimeUntil, pauseClock } from "./waiting.ts";
 
-const book = fileURLToPath(new URL("../../../books/moby-dick.pdf", import.meta.url));
+const whale = fileURLToPath(new URL("../../../books/moby-dick.pdf", import.meta.url));
 const other = fileURLToPath(new URL("../../../books/others/charis-features.pdf", import.meta.url));
 
 // Small: rendering is in software here.
 const viewport = { width: 760, height: 620 };
 
 /** For what is seen, and for what is not. */
-const drawing = chromiumForTests({ isDrawn: true });
-const undrawn = chromiumForTests();
+const drawn = pageForTests({ viewport, isDrawn: true });
+const undrawn = pageForTests({ viewport });
+
+/** Errors of both pages since the test began. */
+const errors: string[] = [];
 
 /** Started by a test; stopped after it, however it ended. */
 const running: Started[] = [];
 
 afterEach(async () => {
   for (const served of running.splice(0)) await served.stop();
+  errors.length = 0;
+});
+
+/** The default book, for all tests that read it. */
+let book: Started;
+
+beforeAll(async () => {
+  book = await start(whale, "--no-open", "--port", "0");
+  for (const { page } of [drawn, undrawn]) {
+    page.on("pageerror", (error) => errors.push(error.message));
+    await page.clock.install();
+    await page.addInitScript(countActivity);
+  }
+});
+afterAll(async () => {
+  await book?.stop();
 });
 
 async function serve(path: string): Promise<Started> {
@@ -38,37 +57,32 @@ interface Counts {
   timers: number;
 }
 
-/** Opens a served book in a fresh tab, whose clock runs, and waits until its pages are sharp. */
-async function open(
-  served: Started,
-  hash: string,
-  tests = undrawn,
-): Promise<{ page: Page; errors: string[] }> {
-  const page = await tests.newPage({ viewport });
-  const errors: string[] = [];
-  page.on("pageerror", (error) => errors.push(error.message));
-  await page.clock.install();
-  await page.addInitScript(() => {
-    const counts = { frames: 0, timers: 0 };
-    Object.assign(globalThis, { counts });
-    const frame = globalThis.requestAnimationFrame;
-    globalThis.requestAnimationFrame = (call) => {
-      counts.frames++;
-      return frame(call);
-    };
-    for (const name of ["setTimeout", "setInterval"] as const) {
-      const set = globalThis[name] as typeof setTimeout;
-      Object.assign(globalThis, {
-        [name]: (...args: Parameters<typeof setTimeout>) => {
-          counts.timers++;
-          return set(...args);
-        },
-      });
-    }
-  });
-  await page.goto(`${served.url}${hash}`);
+/** Runs in the page before anything else: counts its activity. */
+function countActivity(): void {
+  const counts = { frames: 0, timers: 0 };
+  Object.assign(globalThis, { counts });
+  const frame = globalThis.requestAnimationFrame;
+  globalThis.requestAnimationFrame = (call) => {
+    counts.frames++;
+    return frame(call);
+  };
+  for (const name of ["setTimeout", "setInterval"] as const) {
+    const set = globalThis[name] as typeof setTimeout;
+    Object.assign(globalThis, {
+      [name]: (...args: Parameters<typeof setTimeout>) => {
+        counts.timers++;
+        return set(...args);
+      },
+    });
+  }
+}
+
+/** Opens a served book in a page whose clock runs, and waits until its pages are sharp. */
+async function open({ url }: Started, hash: string, { page } = undrawn): Promise<Page> {
+  await page.clock.resume();
+  await page.goto(`${url}${hash}`);
   await bookSettles(page);
-  return { page, errors };
+  return page;
 }
 
 /** Lets the clock of a page run until its book is at rest and sharp. */
@@ -76,6 +90,12 @@ async function settle(page: Page): Promise<void> {
   await page.clock.resume();
   await bookSettles(page);
 }
+
+/** Lets leaves turn unseen until the page is left: drawing them is what takes time in software. */
+const stopDrawing = (page: Page): Promise<void> =>
+  page.evaluate(() => {
+    WebGL2RenderingContext.prototype.drawElements = () => {};
+  });
 
 /** Makes the turns of a page's book short: leaves are seen to turn elsewhere. */
 const hurry = (page: Page): Promise<void> =>
@@ -138,12 +158,7 @@ const leftText = { x: 0.27, y: 0.41, width: 0.17, height: 0.29 };
 const rightText = { x: 0.56, y: 0.41, width: 0.17, height: 0.29 };
 
 test("the default book opens, is dragged over, and rests", async () => {
-  const served = await serve(book);
-  // It opens where it asks to: at the ship that faces its first chapter.
-  const { page: first } = await open(served, "");
-  expect(await shownPage(first)).toBe(18);
-  await first.context().close();
-  const { page, errors } = await open(served, "#page=22", drawing);
+  const page = await open(book, "#page=22", drawn);
   expect(await shownPage(page)).toBe(22);
   expect(
     await page.evaluate(() => document.querySelector("turnleaf-book")?.pageCount),
@@ -179,6 +194,7 @@ test("the default book opens, is dragged over, and rests", async () => {
   expect(await page.evaluate(() => location.hash)).toBe("#page=24");
 
   // Released near where it was grabbed, it falls back.
+  await stopDrawing(page);
   await pauseClock(page);
   const again = await findEdge(page, "right", 0.7);
   await page.mouse.move(again - 8, viewport.height * 0.7);
@@ -203,26 +219,28 @@ test("the default book opens, is dragged over, and rests", async () => {
 });
 
 test("keys, clicks and commands turn pages and land at their pages", async () => {
-  const served = await serve(book);
-  const { page, errors } = await open(served, "#page=30");
+  const page = await open(book, "");
+  // It opens where it asks to: at the ship that faces its first chapter.
+  expect(await shownPage(page)).toBe(18);
   await hurry(page);
   await page.keyboard.press("ArrowRight");
   await settle(page);
-  expect(await shownPage(page)).toBe(32);
+  expect(await shownPage(page)).toBe(20);
   await page.keyboard.press("ArrowLeft");
   await settle(page);
-  expect(await shownPage(page)).toBe(30);
+  expect(await shownPage(page)).toBe(18);
 
   const x = await findEdge(page, "right", 0.6);
   await page.mouse.click(x - 6, viewport.height * 0.6);
   await settle(page);
-  expect(await shownPage(page)).toBe(32);
+  expect(await shownPage(page)).toBe(20);
 
   const landed = await page.evaluate(() => document.querySelector("turnleaf-book")?.goTo(77));
   expect(landed).toBe(true);
   expect(await shownPage(page)).toBe(76);
 
-  // The covers, and back to the middle.
+  // The covers, and back to the middle: no leaf need fly to land there.
+  await page.emulateMedia({ reducedMotion: "reduce" });
   for (const [wanted, lands] of [
     [1, 1],
     [112, 112],
@@ -233,6 +251,8 @@ test("keys, clicks and commands turn pages and land at their pages", async () =>
     ).toBe(true);
     expect(await shownPage(page)).toBe(lands);
   }
+
+  await page.emulateMedia({ reducedMotion: "no-preference" });
 
   // A second command takes over from the first, whose promise resolves to false.
   const [first, second] = await page.evaluate(async () => {
@@ -245,8 +265,7 @@ test("keys, clicks and commands turn pages and land at their pages", async () =>
 });
 
 test("a running turn is caught and taken back", async () => {
-  const served = await serve(book);
-  const { page, errors } = await open(served, "#page=40");
+  const page = await open(book, "#page=40");
   await pauseClock(page);
   await page.evaluate(() => {
     const element = document.querySelector("turnleaf-book");
@@ -268,10 +287,11 @@ test("a running turn is caught and taken back", async () => {
 
 test("another real PDF, with an odd number of pages", async () => {
   const served = await serve(other);
-  const { page, errors } = await open(served, "#page=4", drawing);
+  const page = await open(served, "#page=4", drawn);
   await hurry(page);
   expect(await page.evaluate(() => document.querySelector("turnleaf-book")?.pageCount)).toBe(9);
   expect((await ink(page, { x: 0.2, y: 0.2, width: 0.6, height: 0.6 })).dark).toBeGreaterThan(0.01);
+  await stopDrawing(page);
   expect(await page.evaluate(() => document.querySelector("turnleaf-book")?.goTo(9))).toBe(true);
   await settle(page);
   expect(await shownPage(page)).toBe(8);
@@ -290,7 +310,7 @@ test("what breaks after it was opened says so where the page would be", async ()
   const whole = await serve(`${folder.path}/book.pdf`);
   const scans = await serve(`${folder.path}/scans`);
   folder.remove();
-  const page = await undrawn.newPage({ viewport });
+  const { page } = undrawn;
 
   // A deleted file: nothing can be shown.
   await page.goto(whole.url);

@@ -1,11 +1,10 @@
 /** Several books: listed with their covers, each read from there. */
 
 import { join } from "node:path";
-import { type Browser, chromium, type Page } from "playwright-core";
-import { afterAll, afterEach, beforeAll, describe, expect, it } from "vitest";
-import { chromiumArguments, findChromium } from "../../../scripts/chromium.mjs";
+import { afterEach, describe, expect, it } from "vitest";
 import { openBook } from "../src/book.ts";
 import { page as coloured, pdf, png } from "./books.ts";
+import { chromiumForTests } from "./browser.ts";
 import { ask, folderOf, run, type Started, start } from "./command.ts";
 
 const running: Started[] = [];
@@ -100,11 +99,7 @@ describe("several books", () => {
 });
 
 describe("in Chromium", () => {
-  let browser: Browser;
-  beforeAll(async () => {
-    browser = await chromium.launch({ executablePath: findChromium(), args: chromiumArguments });
-  });
-  afterAll(() => browser.close());
+  const tests = chromiumForTests();
 
   it("covers and titles are drawn, a book is opened and left, and a broken one says so", {
     timeout: 180_000,
@@ -116,7 +111,7 @@ describe("in Chromium", () => {
       "c.cbz": "PK\x03\x04 and then nothing",
     });
     const served = await serve(join(folder, "a.pdf"), join(folder, "b"), join(folder, "c.cbz"));
-    const page: Page = await browser.newPage({ viewport: { width: 700, height: 500 } });
+    const page = await tests.newPage({ viewport: { width: 700, height: 500 } });
     const complaints: string[] = [];
     page.on("pageerror", (error) => complaints.push(error.message));
     page.on("console", (message) => {
@@ -125,7 +120,7 @@ describe("in Chromium", () => {
     await page.goto(served.url);
     const entries = page.getByRole("listitem");
     await entries.nth(0).getByText("9 pages").waitFor();
-    await entries.nth(2).getByText("c.cbz is damaged").waitFor({ timeout: 60_000 });
+    await entries.nth(2).getByText("c.cbz is damaged").waitFor();
     await entries.nth(1).locator("canvas").waitFor();
     expect(await entries.nth(1).locator("canvas").evaluate(pixelOf)).toEqual([20, 160, 60]);
     expect(await entries.nth(0).locator("canvas").evaluate(pixelOf)).toEqual([255, 0, 0]);
@@ -136,7 +131,6 @@ describe("in Chromium", () => {
     expect(await page.title()).toBe("A Small Book");
     await page.getByRole("link", { name: "All books" }).click();
     await page.waitForURL(served.url);
-    await page.close();
   });
 });
 

@@ -80,6 +80,7 @@ async function respondsAt(url: string): Promise<void> {
   for (let round = 0; round < 300; round++) {
     const response = await fetch(url).catch(() => null);
     if (response?.ok) return;
+    // biome-ignore lint/plugin: Whether another process listens is only seen by asking.
     await new Promise((resolve) => setTimeout(resolve, 100));
   }
   throw new Error(`Nothing responds at ${url}.`);
