@@ -36,6 +36,28 @@ export function book(
   return element;
 }
 
+let shown: TurnleafBook | null = null;
+
+/**
+ * Adds an element that shows a book, or has the one of the last call show this one: what draws the one
+ * before is compiled already, which takes software as long as some hundred frames. Resolves once it rests.
+ */
+export async function bookInPlace(
+  pages: TurnleafBook["pages"],
+  attributes: Record<string, string>,
+  [width, height]: readonly number[],
+): Promise<TurnleafBook> {
+  shown ??= book(null);
+  const loaded = happens(shown, "load");
+  shown.pages = pages;
+  for (const name of shown.getAttributeNames()) if (name !== "style") shown.removeAttribute(name);
+  for (const [name, value] of Object.entries(attributes)) shown.setAttribute(name, value);
+  shown.style.cssText = `width: ${width}px; height: ${height}px`;
+  await loaded;
+  await settled(shown);
+  return shown;
+}
+
 /** Resolves to the next event of a name. */
 export const happens = <T>(element: TurnleafBook, name: string): Promise<T> =>
   new Promise((resolve) =>
