@@ -3,17 +3,22 @@
  * seen where, by its colour.
  */
 
-import { afterEach, expect, test } from "vitest";
+import { expect, test } from "vitest";
 import type { TurnleafBook } from "./element.ts";
-import { book, happens, keepWhatIsDrawn, settled } from "./for_tests/element_books.ts";
+import {
+  bookInPlace,
+  drawRoughly,
+  happens,
+  keepWhatIsDrawn,
+  settled,
+} from "./for_tests/element_books.ts";
 import { eventually } from "./for_tests/eventually.ts";
 import { TestPointer } from "./for_tests/test_pointer.ts";
 import { openSource } from "./sources/open_source.ts";
 import type { PageSource } from "./sources/page_source.ts";
 
 keepWhatIsDrawn();
-
-afterEach(() => document.body.replaceChildren());
+drawRoughly();
 
 /** A colour for each page, distinguished by its hue. */
 const hueOf = (page: number): number => (page * 47) % 360;
@@ -30,24 +35,33 @@ function plain(page: number, width = 80, height = 120): { src: string } {
 const pages = (count: number): { src: string }[] =>
   Array.from({ length: count }, (_, k) => plain(k + 1));
 
-/**
- * Returns the hue at a place of the element, in fractions of its size; null if
- * there is no strong colour.
- */
-async function hueAt(element: TurnleafBook, x: number, y: number): Promise<number | null> {
+/** Returns what a settled element shows. */
+async function pictureOf(element: TurnleafBook): Promise<ImageData> {
   await settled(element);
   const canvas = element.shadowRoot?.querySelector("canvas") as HTMLCanvasElement;
-  const copy = document.createElement("canvas");
-  [copy.width, copy.height] = [1, 1];
-  const pen = copy.getContext("2d") as CanvasRenderingContext2D;
-  pen.drawImage(canvas, -x * canvas.width, -y * canvas.height);
-  const [r, g, b] = pen.getImageData(0, 0, 1, 1).data;
+  const copy = new OffscreenCanvas(canvas.width, canvas.height);
+  const pen = copy.getContext("2d") as OffscreenCanvasRenderingContext2D;
+  pen.drawImage(canvas, 0, 0);
+  return pen.getImageData(0, 0, copy.width, copy.height);
+}
+
+/**
+ * Returns the hue at a place of a picture, in fractions of its size; null if
+ * there is no strong colour.
+ */
+function hueIn({ data, width, height }: ImageData, x: number, y: number): number | null {
+  const [column, row] = [Math.floor(x * width), Math.floor(y * height)];
+  const [r, g, b] = data.subarray(4 * (row * width + column));
   const most = Math.max(r, g, b);
   const span = most - Math.min(r, g, b);
   if (span < 60) return null;
   const sixth = most === r ? (g - b) / span : most === g ? 2 + (b - r) / span : 4 + (r - g) / span;
   return (60 * sixth + 360) % 360;
 }
+
+/** Returns the hue at a place of a settled element, likewise. */
+const hueAt = async (element: TurnleafBook, x: number, y: number): Promise<number | null> =>
+  hueIn(await pictureOf(element), x, y);
 
 /** Expects a page's colour at a place. */
 async function expectPage(element: TurnleafBook, page: number, x: number, y: number) {
@@ -92,12 +106,12 @@ async function drag(
   await settled(element);
 }
 
-async function opened(attributes: Record<string, string>, size = [420, 300], count = 12) {
-  const element = book(pages(count), { duration: "80", ...attributes });
-  [element.style.width, element.style.height] = [`${size[0]}px`, `${size[1]}px`];
-  await happens(element, "load");
-  await settled(element);
-  return element;
+const opened = (attributes: Record<string, string>, size = [420, 300], sheets = pages(12)) =>
+  bookInPlace(sheets, { duration: "80", ...attributes }, size);
+
+/** Opens a book of which the fifth page is another, with room beside it. */
+function openedWithFoldOut(page: { src: string }): Promise<TurnleafBook> {
+  return opened({ page: "4", cover: "none" }, [560, 300], pages(12).with(4, page));
 }
 
 test("bound on the right: the second page is on the right, and on is dragged from the left", async () => {
@@ -165,10 +179,8 @@ test("a page that is to be shown by itself stands in the middle, and its neighbo
     const source = await openSource(pages(9));
     return Object.assign(source, { inSpread: (k: number) => (k === 4 ? "single" : undefined) });
   };
-  const element = book(single, { duration: "80", cover: "none", page: "2" });
-  [element.style.width, element.style.height] = ["420px", "300px"];
-  await happens(element, "load");
-  await settled(element);
+  const options = { duration: "80", cover: "none", page: "2" };
+  const element = await bookInPlace(single, options, [420, 300]);
   expect([element.shownLayout, element.spread]).toEqual(["spread", { left: 2, right: 3 }]);
   expect(await element.next()).toBe(true);
   await settled(element);
@@ -202,7 +214,6 @@ test("a page alone is drawn away from its spine to bring the one before it back"
     const element = await opened({ page: "5", binding, layout: "single" }, [220, 360]);
     await drag(element, from, to);
     expect(element.page, binding).toBe(4);
-    element.remove();
   }
 });
 
@@ -227,7 +238,6 @@ test("the closed book lies in the middle, front and back, with boards or without
     expect(await element.goTo(12)).toBe(true);
     await expectPage(element, 12, 0.5, 0.5);
     expect(await hueAt(element, 0.88, 0.5)).toBeNull();
-    element.remove();
   }
 });
 
@@ -244,12 +254,7 @@ function wide(page: number, beyond: number): { src: string } {
 }
 
 test("a fold-out is folded in, unfolds beside the book, and folds in before a turn", async () => {
-  const sheets = pages(12);
-  sheets[4] = wide(5, 30);
-  const element = book(sheets, { duration: "80", page: "4", cover: "none" });
-  [element.style.width, element.style.height] = ["560px", "300px"];
-  await happens(element, "load");
-  await settled(element);
+  const element = await openedWithFoldOut(wide(5, 30));
   // The flap's back lies on most of the page.
   await expectPage(element, 5, 0.52, 0.6);
   expect(await hueAt(element, 0.65, 0.6)).toBeNull();
@@ -274,12 +279,7 @@ test("a fold-out is folded in, unfolds beside the book, and folds in before a tu
 });
 
 test("a pointer opens a fold-out by its flap, shuts it again, and turns its leaf by any other pull", async () => {
-  const sheets = pages(12);
-  sheets[4] = wide(5, 30);
-  const element = book(sheets, { duration: "80", page: "4", cover: "none" });
-  [element.style.width, element.style.height] = ["560px", "300px"];
-  await happens(element, "load");
-  await settled(element);
+  const element = await openedWithFoldOut(wide(5, 30));
   await drag(element, [0.58, 0.55], [0.86, 0.55]);
   await expectPage(element, 5, 0.5, 0.6);
   await expectPage(element, 30, 0.8, 0.6);
@@ -296,12 +296,7 @@ test("a pointer opens a fold-out by its flap, shuts it again, and turns its leaf
 });
 
 test("a fold-out whose corner is lifted under a mouse unfolds, by command and by a pull at that corner", async () => {
-  const sheets = pages(12);
-  sheets[4] = wide(5, 30);
-  const element = book(sheets, { duration: "80", page: "4", cover: "none" });
-  [element.style.width, element.style.height] = ["560px", "300px"];
-  await happens(element, "load");
-  await settled(element);
+  const element = await openedWithFoldOut(wide(5, 30));
   const pointer = new TestPointer(element);
   const { right, top } = element.bookBounds as DOMRect;
   const lift = async (): Promise<void> => {
@@ -335,8 +330,9 @@ function leporello(...numbers: readonly number[]): { src: string } {
 /** Returns the pages whose colours are seen along a line across the element, from its middle on. */
 async function seenAcross(element: TurnleafBook, numbers: readonly number[]): Promise<number[]> {
   const seen: number[] = [];
+  const picture = await pictureOf(element);
   for (let x = 0.4; x < 1; x += 0.01) {
-    const hue = await hueAt(element, x, 0.55);
+    const hue = hueIn(picture, x, 0.55);
     if (hue === null) continue;
     const number = numbers.find((page) => {
       const off = Math.abs(hue - hueOf(page));
@@ -348,12 +344,7 @@ async function seenAcross(element: TurnleafBook, numbers: readonly number[]): Pr
 }
 
 test("a leporello opens panel by panel, by command and by a pull, shuts and turns with its page", async () => {
-  const sheets = pages(12);
-  sheets[4] = leporello(5, 30, 34);
-  const element = book(sheets, { duration: "80", page: "4", cover: "none" });
-  [element.style.width, element.style.height] = ["560px", "300px"];
-  await happens(element, "load");
-  await settled(element);
+  const element = await openedWithFoldOut(leporello(5, 30, 34));
   const seen = () => seenAcross(element, [5, 30, 34]);
   // The last panel lies uppermost, its face up.
   expect(await seen()).toEqual([5, 34]);
@@ -372,12 +363,7 @@ test("a leporello opens panel by panel, by command and by a pull, shuts and turn
 });
 
 test("Enter on the book unfolds a fold-out, and folds it in", async () => {
-  const sheets = pages(12);
-  sheets[4] = wide(5, 30);
-  const element = book(sheets, { duration: "80", page: "4", cover: "none" });
-  [element.style.width, element.style.height] = ["560px", "300px"];
-  await happens(element, "load");
-  await settled(element);
+  const element = await openedWithFoldOut(wide(5, 30));
   const pointer = new TestPointer(element);
   expect(element.foldOut).toBe("shut");
   pointer.key("Enter");
@@ -398,9 +384,7 @@ test("a smaller page lies at the spine, and beside it the page beneath is seen",
   const sheets = pages(12);
   sheets[4] = plain(5, 50, 120);
   sheets[5] = plain(6, 50, 120);
-  const element = book(sheets, { duration: "80", page: "4", cover: "none" });
-  [element.style.width, element.style.height] = ["420px", "300px"];
-  await happens(element, "load");
+  const element = await opened({ page: "4", cover: "none" }, [420, 300], sheets);
   // The page beneath is one of those that a turn may bring into sight.
   await eventually(() => element.ready).toBe(true);
   await expectPage(element, 5, 0.6, 0.6);

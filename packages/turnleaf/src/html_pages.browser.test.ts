@@ -3,11 +3,9 @@ import "./index.ts";
 import { userEvent } from "vitest/browser";
 import type { TurnleafBook } from "./element.ts";
 import { clock } from "./for_tests/clock.ts";
-import { book, happens, keepWhatIsDrawn, settled } from "./for_tests/element_books.ts";
+import { book, happens, settled } from "./for_tests/element_books.ts";
 import { eventually } from "./for_tests/eventually.ts";
 import { HtmlPages } from "./sources/html/html_pages.ts";
-
-keepWhatIsDrawn();
 
 afterEach(() => {
   for (const element of document.querySelectorAll("turnleaf-book, section")) element.remove();

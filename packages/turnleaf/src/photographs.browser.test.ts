@@ -7,14 +7,12 @@ import type { Group } from "three";
 import { afterEach, expect, test, vi } from "vitest";
 import type { Turning } from "./book/turning.ts";
 import type { BookEngine } from "./engine/book_engine.ts";
-import { book, happens, keepWhatIsDrawn, scans } from "./for_tests/element_books.ts";
+import { book, happens, scans } from "./for_tests/element_books.ts";
 import { eventually } from "./for_tests/eventually.ts";
 import type { ModelledBook } from "./leaf_models/leaf_model.ts";
 import { PhotographsModel } from "./leaf_models/photographs.ts";
 import type { BookPose, BookShape } from "./stage/book_pose.ts";
 import type { PhotographQuad } from "./webgl/photographs_mesh.ts";
-
-keepWhatIsDrawn();
 
 afterEach(() => {
   vi.restoreAllMocks();

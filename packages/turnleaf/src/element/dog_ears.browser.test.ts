@@ -3,11 +3,9 @@
 import { afterEach, beforeEach, expect, test } from "vitest";
 import type { TurnleafBook } from "../element.ts";
 import { clock } from "../for_tests/clock.ts";
-import { bookOverDark, keepWhatIsDrawn, settled } from "../for_tests/element_books.ts";
+import { bookOverDark, settled } from "../for_tests/element_books.ts";
 import { eventually } from "../for_tests/eventually.ts";
 import { TestPointer } from "../for_tests/test_pointer.ts";
-
-keepWhatIsDrawn();
 
 beforeEach(() => localStorage.clear());
 afterEach(() => document.body.replaceChildren());

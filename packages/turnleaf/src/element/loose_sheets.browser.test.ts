@@ -4,13 +4,10 @@ import { afterEach, expect, test, vi } from "vitest";
 import type { UV } from "../engine/book_engine.ts";
 import type { CreasedMesh, Surface } from "../engine/shapes.ts";
 import { clock } from "../for_tests/clock.ts";
-import { drawRoughly, keepWhatIsDrawn } from "../for_tests/element_books.ts";
 import { tearableBook, tearOutPage5 } from "../for_tests/tearable_books.ts";
 import { TestPointer } from "../for_tests/test_pointer.ts";
 import { LooseSheetPile } from "../viewer/loose_sheets.ts";
 
-keepWhatIsDrawn();
-drawRoughly();
 afterEach(() => {
   vi.restoreAllMocks();
   document.body.replaceChildren();

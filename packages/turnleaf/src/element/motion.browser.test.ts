@@ -3,11 +3,9 @@
 import { afterEach, expect, test } from "vitest";
 import type { BookState } from "../book/turning.ts";
 import type { TurnleafBook } from "../element.ts";
-import { book, happens, keepWhatIsDrawn, scans, settled } from "../for_tests/element_books.ts";
+import { book, happens, scans, settled } from "../for_tests/element_books.ts";
 import { TestPointer } from "../for_tests/test_pointer.ts";
 import type { TurnDetail } from "./events.ts";
-
-keepWhatIsDrawn();
 
 afterEach(() => document.body.replaceChildren());
 

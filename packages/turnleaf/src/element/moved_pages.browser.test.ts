@@ -4,11 +4,10 @@ import { afterEach, expect, test, vi } from "vitest";
 import type { TurnleafBook } from "../element.ts";
 import { WasmBook } from "../engine/wasm_book.ts";
 import { clock } from "../for_tests/clock.ts";
-import { drawRoughly, happens, scan, scans, settled } from "../for_tests/element_books.ts";
+import { happens, scan, scans, settled } from "../for_tests/element_books.ts";
 import { tearableElement } from "../for_tests/tearable_books.ts";
 import type { Viewer } from "../viewer/viewer.ts";
 
-drawRoughly();
 afterEach(() => {
   vi.restoreAllMocks();
   document.body.replaceChildren();

@@ -2,10 +2,8 @@
 
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
 import type { TurnleafBook } from "../element.ts";
-import { bookOverDark, keepWhatIsDrawn } from "../for_tests/element_books.ts";
+import { bookOverDark } from "../for_tests/element_books.ts";
 import { eventually } from "../for_tests/eventually.ts";
-
-keepWhatIsDrawn();
 
 beforeEach(() => localStorage.clear());
 afterEach(() => {

@@ -1,6 +1,6 @@
 /** One book after another in one element: what is shown stays until the next one can be. */
 
-import { expect, test } from "vitest";
+import { expect, test, vi } from "vitest";
 import { book, happens, scans, settled } from "../for_tests/element_books.ts";
 import { eventually } from "../for_tests/eventually.ts";
 
@@ -203,4 +203,17 @@ test("elements replace elements of which some are the same", async () => {
   await loaded;
   expect(element.pageCount).toBe(2);
   expect([a, b, c].map((one) => one.parentNode === element)).toEqual([false, true, true]);
+});
+
+test("another book in its place is drawn by the programs that are compiled", async () => {
+  const element = book(scans(12), { page: "6" });
+  await happens(element, "load");
+  await settled(element);
+  const context = element.shadowRoot?.querySelector("canvas")?.getContext("webgl2");
+  const linked = vi.spyOn(context as WebGL2RenderingContext, "linkProgram");
+  element.pages = scans(8);
+  await happens(element, "load");
+  await settled(element);
+  expect([element.pageCount, canvasesOf(element)]).toEqual([8, 1]);
+  expect(linked).not.toHaveBeenCalled();
 });

@@ -4,13 +4,11 @@ import { afterEach, expect, test, vi } from "vitest";
 import type { TurnleafBook } from "../element.ts";
 import { CreasableBook } from "../engine/creasable_book.ts";
 import { clock } from "../for_tests/clock.ts";
-import { drawRoughly, keepWhatIsDrawn, settled } from "../for_tests/element_books.ts";
+import { settled } from "../for_tests/element_books.ts";
 import { eventually } from "../for_tests/eventually.ts";
 import { tearableBook, tearOutPage5 } from "../for_tests/tearable_books.ts";
 import { TestPointer } from "../for_tests/test_pointer.ts";
 
-keepWhatIsDrawn();
-drawRoughly();
 afterEach(() => {
   vi.restoreAllMocks();
   document.body.replaceChildren();

@@ -6,7 +6,7 @@
 import { afterAll, afterEach, beforeAll, expect } from "vitest";
 import { commands } from "vitest/browser";
 import { clock, installClock } from "./clock.ts";
-import { drawWhenSeen } from "./drawn_when_seen.ts";
+import { drawPlainly, drawWhenSeen } from "./drawn_when_seen.ts";
 import { countWork } from "./work.ts";
 
 /** Waits until the graphics process has done everything requested and reported its errors. */
@@ -19,6 +19,7 @@ function finishDrawing(): void {
 installClock();
 countWork();
 drawWhenSeen();
+drawPlainly();
 
 beforeAll(async () => {
   await commands.webglComplaints();

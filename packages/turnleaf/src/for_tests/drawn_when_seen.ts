@@ -5,12 +5,16 @@
 
 import type { DrawOptions } from "../stage/book_stage.ts";
 import { WebGLStage } from "../webgl/webgl_stage.ts";
+import { hookContexts } from "./webgl_contexts.ts";
 
 /**
  * Of the frames that nothing looks at one in so many is drawn all the same, so that a complaint of WebGL
  * about leaves in the air is heard.
  */
 const between = 10;
+
+/** The pixels of a book at rest, as it is shown to readers. */
+const sharp = Object.getOwnPropertyDescriptor(WebGLStage.prototype, "restingRatio");
 
 const due = new Map<WebGLStage, DrawOptions | undefined>();
 const { draw, destroy } = WebGLStage.prototype;
@@ -30,6 +34,21 @@ export function drawAtOnce(): void {
   WebGLStage.prototype.draw = draw;
 }
 
+/** Has the stages of a file draw a book at rest with as many pixels as readers see, for tests of those. */
+export function drawSharply(): void {
+  if (sharp) Object.defineProperty(WebGLStage.prototype, "restingRatio", sharp);
+}
+
+/** Has the stages of a file draw a book at rest with the screen's pixels, and no more of them. */
+export function drawPlainly(): void {
+  Object.defineProperty(WebGLStage.prototype, "restingRatio", {
+    get(this: WebGLStage): number {
+      return Math.min(sharp?.get?.call(this), devicePixelRatio);
+    },
+    configurable: true,
+  });
+}
+
 /** Has the stages of a file draw their frames in motion once something reads their canvas. */
 export function drawWhenSeen(): void {
   let count = 0;
@@ -42,15 +61,10 @@ export function drawWhenSeen(): void {
     due.delete(this);
     return destroy.call(this, keepCanvas);
   };
-  const { getContext } = HTMLCanvasElement.prototype;
-  HTMLCanvasElement.prototype.getContext = function (
-    this: HTMLCanvasElement,
-    kind: string,
-    options?: object,
-  ) {
-    if (kind === "webgl2") canvases.add(this);
-    return getContext.call(this, kind, options);
-  } as typeof getContext;
+  hookContexts((canvas, options, next) => {
+    canvases.add(canvas);
+    return next(options);
+  });
   // A frame may give its canvas another size.
   for (const side of ["width", "height"]) {
     const property = Object.getOwnPropertyDescriptor(HTMLCanvasElement.prototype, side);

@@ -1,9 +1,9 @@
 /** Elements of small books, for tests in a browser. */
 
-import { afterAll, beforeAll } from "vitest";
 import "../index.ts";
 import type { TurnleafBook } from "../element.ts";
 import { clock } from "./clock.ts";
+import { hookContexts } from "./webgl_contexts.ts";
 
 /** Returns a scan of a page: its number in black on paper. */
 export function scan(number: number, width = 90, height = 120): string {
@@ -34,6 +34,28 @@ export function book(
   element.pages = pages;
   document.body.append(element);
   return element;
+}
+
+let shown: TurnleafBook | null = null;
+
+/**
+ * Adds an element that shows a book, or has the one of the last call show this one: what draws the one
+ * before is compiled already, which takes software as long as some hundred frames. Resolves once it rests.
+ */
+export async function bookInPlace(
+  pages: TurnleafBook["pages"],
+  attributes: Record<string, string>,
+  [width, height]: readonly number[],
+): Promise<TurnleafBook> {
+  shown ??= book(null);
+  const loaded = happens(shown, "load");
+  shown.pages = pages;
+  for (const name of shown.getAttributeNames()) if (name !== "style") shown.removeAttribute(name);
+  for (const [name, value] of Object.entries(attributes)) shown.setAttribute(name, value);
+  shown.style.cssText = `width: ${width}px; height: ${height}px`;
+  await loaded;
+  await settled(shown);
+  return shown;
 }
 
 /** Resolves to the next event of a name. */
@@ -71,19 +93,7 @@ export const settled = (element: TurnleafBook): Promise<void> => clock.until(() 
  * frame, for the tests of a file.
  */
 export function keepWhatIsDrawn(): void {
-  const { getContext } = HTMLCanvasElement.prototype;
-  beforeAll(() => {
-    HTMLCanvasElement.prototype.getContext = function (
-      this: HTMLCanvasElement,
-      kind: string,
-      how?: object,
-    ) {
-      return getContext.call(this, kind, { ...how, preserveDrawingBuffer: true });
-    } as typeof getContext;
-  });
-  afterAll(() => {
-    HTMLCanvasElement.prototype.getContext = getContext;
-  });
+  hookContexts((_, options, next) => next({ ...options, preserveDrawingBuffer: true }));
 }
 
 /**
@@ -91,12 +101,5 @@ export function keepWhatIsDrawn(): void {
  * at areas alone: software draws pixel by pixel.
  */
 export function drawRoughly(): void {
-  let usual: PropertyDescriptor | undefined;
-  beforeAll(() => {
-    usual = Object.getOwnPropertyDescriptor(globalThis, "devicePixelRatio");
-    Object.defineProperty(globalThis, "devicePixelRatio", { value: 0.5, configurable: true });
-  });
-  afterAll(() => {
-    if (usual) Object.defineProperty(globalThis, "devicePixelRatio", usual);
-  });
+  Object.defineProperty(globalThis, "devicePixelRatio", { value: 0.5 });
 }

@@ -4,6 +4,8 @@
  * has nothing to do.
  */
 
+import { hookContexts } from "./webgl_contexts.ts";
+
 type Context = WebGL2RenderingContext;
 
 /** Values of a context that three.js asks for and cannot do without. */
@@ -28,17 +30,21 @@ const contexts = new WeakMap<HTMLCanvasElement, Context>();
 
 /** Gives every canvas whose WebGL 2 context is requested from now on one that draws nothing. */
 export function drawNothing(): void {
-  const { getContext } = HTMLCanvasElement.prototype;
-  HTMLCanvasElement.prototype.getContext = function (
-    this: HTMLCanvasElement,
-    kind: string,
-    options?: object,
-  ) {
-    if (kind !== "webgl2") return getContext.call(this, kind, options);
-    const context = contexts.get(this) ?? undrawnContext(this, options);
-    contexts.set(this, context);
+  let isLit = true;
+  hookContexts((canvas, options) => {
+    // Not before a book needs it: most files open none, and its code takes time to load.
+    if (isLit) void leaveLightOut();
+    isLit = false;
+    const context = contexts.get(canvas) ?? undrawnContext(canvas, options);
+    contexts.set(canvas, context);
     return context;
-  } as typeof getContext;
+  });
+}
+
+/** Has books compute no light, which takes as long as all else of a frame, and which nothing shows. */
+async function leaveLightOut(): Promise<void> {
+  const { DrawnBook } = await import("../webgl/drawn_book.ts");
+  DrawnBook.prototype.light = () => undefined;
 }
 
 function undrawnContext(canvas: HTMLCanvasElement, options: object = {}): Context {

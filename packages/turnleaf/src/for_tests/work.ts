@@ -2,6 +2,7 @@
 
 import { afterEach } from "vitest";
 import { TickCounter } from "../viewer/frame_timing.ts";
+import { hookContexts } from "./webgl_contexts.ts";
 
 /** Counted work of a file. */
 export interface Work {
@@ -32,16 +33,11 @@ export function countWork(): void {
   };
   let books = 0;
   const known = new WeakSet<HTMLCanvasElement>();
-  const { getContext } = HTMLCanvasElement.prototype;
-  HTMLCanvasElement.prototype.getContext = function (
-    this: HTMLCanvasElement,
-    kind: string,
-    options?: object,
-  ) {
-    if (kind === "webgl2" && !known.has(this)) books++;
-    if (kind === "webgl2") known.add(this);
-    return getContext.call(this, kind, options);
-  } as typeof getContext;
+  hookContexts((canvas, options, next) => {
+    if (!known.has(canvas)) books++;
+    known.add(canvas);
+    return next(options);
+  });
   afterEach(({ task }) => {
     task.file.meta.work = { frames, ticks, books };
   });

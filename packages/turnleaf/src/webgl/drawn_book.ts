@@ -41,6 +41,16 @@ interface DrawnSide {
   readonly over: Overhead;
 }
 
+/** A pose that is to be lit. */
+interface UnlitPose {
+  readonly pose: BookPose;
+  /** The leaves and a flap, which hangs on a fore-edge and throws no shadow on its page. */
+  readonly sheets: readonly Surface[];
+  /** Whether a pile has moved since the light was computed, and whether neither pile nor board has. */
+  readonly pilesMoved: boolean;
+  readonly still: boolean;
+}
+
 /** All meshes of one book. */
 export class DrawnBook {
   readonly group: Group = new Group();
@@ -70,6 +80,8 @@ export class DrawnBook {
   /** The leaves as they were last lit. */
   #lit: readonly Surface[] = [];
   #isLit = false;
+  /** The last pose, until its light is computed. */
+  #unlit: UnlitPose | null = null;
   /** Whether leaves lie folded on the pages. */
   #folded: boolean | undefined;
   /** Whether the light is reused from the previous pose. */
@@ -121,7 +133,7 @@ export class DrawnBook {
     }
   }
 
-  /** Moves the book. Returns whether the camera should follow. */
+  /** Moves the book, and leaves its light to `light`. Returns whether the camera should follow. */
   pose(pose: BookPose, roughly = false): boolean {
     const middle = pose.lean;
     const caseMoved =
@@ -140,9 +152,20 @@ export class DrawnBook {
     const isSame = areSame(casting, this.#lit);
     const hadLoose = this.#looseShown.length > 0;
     this.#placeLoose(pose.loose ?? []);
-    this.#isDim = roughly && !this.#isDim && still && casting.length === this.#lit.length;
+    const mayDim = roughly && !this.#isDim && this.#unlit === null;
+    this.#isDim = mayDim && still && casting.length === this.#lit.length;
     this.#folded = pose.folded;
-    if (!(still && isSame && this.#isLit)) this.#light(pose, sheets, pilesMoved, still);
+    if (!(still && isSame && this.#isLit)) {
+      this.#isLit = !this.#isDim;
+      this.#placeLeaves(sheets);
+      const before = this.#unlit;
+      this.#unlit = {
+        pose,
+        sheets,
+        pilesMoved: pilesMoved || before?.pilesMoved === true,
+        still: still && before?.still !== false,
+      };
+    }
     this.#lit = casting;
     const [left, right] = [this.#left.pile, this.#right.pile];
     if (!this.#hard) shadowOfLeaves(this.#ground, this.#shape, pose.leaves, left, right);
@@ -155,6 +178,15 @@ export class DrawnBook {
     if (loose) shadowOfSheet(this.#ground, loose, this.#table);
     if (!isSame) this.#shadeByPapers(pose, sheets);
     return caseMoved || flapMoved;
+  }
+
+  /**
+   * Computes the light of the last pose: before each frame, so that of poses that nothing draws none
+   * is computed.
+   */
+  light(): void {
+    if (this.#unlit) this.#light(this.#unlit);
+    this.#unlit = null;
   }
 
   /** Keeps the flap of a fold-out in the picture. Returns whether it moved. */
@@ -223,21 +255,26 @@ export class DrawnBook {
     this.framing.closedLeft = this.#case.closedLeft;
   }
 
-  /** @param flap the last of the leaves, if it is the flap of a fold-out: seen from above it may show either side */
-  #placeLeaves(leaves: readonly Surface[], flap: Surface | null): void {
+  #placeLeaves(leaves: readonly Surface[]): void {
     while (this.#leaves.length < leaves.length) {
       const { recto, verso } = this.#materials.leaf(this.#leaves.length);
       const mesh = new LeafMesh(recto, verso, this.#materials.leafEdges);
       this.group.add(mesh.recto, mesh.verso, mesh.rim.mesh);
       this.#leaves.push(mesh);
     }
-    const piles = [this.#left.pile, this.#right.pile] as const;
-    const solid = leaves.map((leaf) => straightened(leaf));
     for (const [k, mesh] of this.#leaves.entries()) {
       mesh.recto.visible = mesh.verso.visible = mesh.rim.mesh.visible = k < leaves.length;
-      if (k >= leaves.length) continue;
-      mesh.shape(leaves[k], k + 1, leaves.length - k);
-      if (leaves[k] === flap) mesh.lieLoose();
+      if (k < leaves.length) mesh.shape(leaves[k], k + 1, leaves.length - k);
+    }
+  }
+
+  /** @param flap the last of the leaves, if it is the flap of a fold-out: seen from above it may show either side */
+  #lightLeaves(leaves: readonly Surface[], flap: Surface | null): void {
+    const piles = [this.#left.pile, this.#right.pile] as const;
+    const solid = leaves.map((leaf) => straightened(leaf));
+    for (const [k, leaf] of leaves.entries()) {
+      const mesh = this.#leaves[k];
+      if (leaf === flap) mesh.lieLoose();
       else if (this.#folded) mesh.lieOpen();
       else if (!this.#isDim) mesh.light(solid[k], ...piles, solid[k - 1], solid[k + 1]);
     }
@@ -328,19 +365,10 @@ export class DrawnBook {
     [edges[2], edges[3]] = [-left.over.board[2], left.over.board[3]];
   }
 
-  /**
-   * @param sheets the leaves and a flap, which hangs on a fore-edge and throws
-   * no shadow on its page
-   */
-  #light(
-    { leaves, lying = [], flap = null }: BookPose,
-    sheets: readonly Surface[],
-    pilesMoved: boolean,
-    still: boolean,
-  ): void {
+  #light({ pose, sheets, pilesMoved, still }: UnlitPose): void {
+    const { leaves, lying = [], flap = null } = pose;
     const [left, right] = [this.#left, this.#right];
-    this.#isLit = !this.#isDim;
-    this.#placeLeaves(sheets, flap);
+    this.#lightLeaves(sheets, flap);
     if (this.#isDim) return;
     // The outermost leaf on a side is nearest to its page.
     // One that lies creased on it hides it, but for what is folded away, and throws no shadow.

@@ -3,7 +3,7 @@ import { leafPapers } from "../engine/leaf_papers.ts";
 import type { Pile, Surface } from "../engine/shapes.ts";
 import { columnPlace } from "../engine/shapes.ts";
 import { clock } from "../for_tests/clock.ts";
-import { drawAtOnce } from "../for_tests/drawn_when_seen.ts";
+import { drawAtOnce, drawSharply } from "../for_tests/drawn_when_seen.ts";
 import type { BookPose, BookShape } from "../stage/book_pose.ts";
 import { WebGLStage } from "./webgl_stage.ts";
 
@@ -23,19 +23,26 @@ const shape: BookShape = {
 };
 
 drawAtOnce();
+drawSharply();
 
-const stages: WebGLStage[] = [];
+/** One after the other all stages draw on it: what a stage has compiled serves the next one. */
+const canvas = document.createElement("canvas");
 
-function newStage(canvas: HTMLCanvasElement, more: Partial<BookShape> = {}): WebGLStage {
-  const stage = new WebGLStage(canvas, { ...shape, ...more });
+let close = (): void => {};
+
+/** Opens a stage in place of the one before. */
+function newStage(more: Partial<BookShape> = {}, on = canvas): WebGLStage {
+  close();
+  const stage = new WebGLStage(on, { ...shape, ...more });
   stage.resize(200, 120, 1);
-  stages.push(stage);
+  close = () => {
+    stage.destroy(on === canvas);
+    close = () => {};
+  };
   return stage;
 }
 
-afterEach(() => {
-  for (const stage of stages.splice(0)) stage.destroy();
-});
+afterEach(() => close());
 
 /** Returns a pile of flat pages. */
 function flatPile(sign: number): Pile {
@@ -82,34 +89,32 @@ function standingLeaf(angle: number): Surface {
 }
 
 /** Returns the colour where a place is seen, by default halfway up a page that lies flat. */
-function colourAt(stage: WebGLStage, canvas: HTMLCanvasElement, x: number, z = 0): number[] {
+function colourAt(stage: WebGLStage, x: number, z = 0): number[] {
+  stage.draw();
   const copy = document.createElement("canvas");
   copy.width = canvas.width;
   copy.height = canvas.height;
   const context = copy.getContext("2d")!;
-  stage.draw();
   context.drawImage(canvas, 0, 0);
   const place = stage.project([x, shape.height / 2, z]);
   return [...context.getImageData(Math.round(place.x), Math.round(place.y), 1, 1).data];
 }
 
 test("a flat page of a scan is exactly its own picture", () => {
-  const canvas = document.createElement("canvas");
-  const stage = newStage(canvas);
+  const stage = newStage();
   stage.setFace("left", plainPicture("#c08a4b"));
   stage.setFace("right", plainPicture("#fbf5e8"));
   stage.pose(open);
-  expect(colourAt(stage, canvas, -0.07)).toEqual([0xc0, 0x8a, 0x4b, 255]);
-  expect(colourAt(stage, canvas, 0.07)).toEqual([0xfb, 0xf5, 0xe8, 255]);
+  expect(colourAt(stage, -0.07)).toEqual([0xc0, 0x8a, 0x4b, 255]);
+  expect(colourAt(stage, 0.07)).toEqual([0xfb, 0xf5, 0xe8, 255]);
 });
 
 test("deep among leaves that stand close it is warm and dim, not black", () => {
-  const canvas = document.createElement("canvas");
-  const stage = newStage(canvas);
+  const stage = newStage();
   const angle = 1.68;
   stage.pose({ ...open, leaves: [standingLeaf(1.9), standingLeaf(angle), standingLeaf(1.46)] });
   const out = 0.03;
-  const [red, green, blue] = colourAt(stage, canvas, out * Math.cos(angle), out * Math.sin(angle));
+  const [red, green, blue] = colourAt(stage, out * Math.cos(angle), out * Math.sin(angle));
   expect(red).toBeLessThan(150);
   expect(red).toBeGreaterThan(104);
   expect(blue).toBeLessThan(green);
@@ -128,25 +133,23 @@ test("of loose sheets upon each other the uppermost is seen, whichever was torn 
     [0, 1],
     [1, 0],
   ]) {
-    const canvas = document.createElement("canvas");
-    const stage = newStage(canvas);
+    const stage = newStage();
     stage.setLoose(0, "recto", plainPicture("#000000"));
     stage.setLoose(1, "recto", plainPicture("#ffffff"));
     stage.pose({ ...open, loose: layers.map((layer) => looseSheet(layer, 0.01 + 1e-4 * layer)) });
-    const [red] = colourAt(stage, canvas, 0.07, 0.01);
+    const [red] = colourAt(stage, 0.07, 0.01);
     expect(red).toBe(layers[0] > layers[1] ? 0 : 255);
   }
 });
 
 test("the uppermost loose sheet shades those under it", () => {
-  const canvas = document.createElement("canvas");
-  const stage = newStage(canvas);
+  const stage = newStage();
   for (const k of [0, 1]) stage.setLoose(k, "recto", plainPicture("#ffffff"));
   const under = looseSheet(0, 0.01);
   stage.pose({ ...open, loose: [under] });
-  const [alone] = colourAt(stage, canvas, 0.1, 0.01);
+  const [alone] = colourAt(stage, 0.1, 0.01);
   stage.pose({ ...open, loose: [under, looseSheet(1, 0.03, -0.04)] });
-  const [shaded] = colourAt(stage, canvas, 0.1, 0.01);
+  const [shaded] = colourAt(stage, 0.1, 0.01);
   expect(shaded).toBeLessThan(alone - 5);
 });
 
@@ -181,7 +184,7 @@ function foldedLeaf(side: 1 | -1, crease: number): Surface {
 }
 
 /** Returns the red of the pixels halfway up the page from one place across the spine to another. */
-function redAcross(stage: WebGLStage, canvas: HTMLCanvasElement, from: number, to: number) {
+function redAcross(stage: WebGLStage, from: number, to: number) {
   stage.draw();
   const copy = document.createElement("canvas");
   [copy.width, copy.height] = [canvas.width, canvas.height];
@@ -193,14 +196,14 @@ function redAcross(stage: WebGLStage, canvas: HTMLCanvasElement, from: number, t
 }
 
 /** Returns how much darker it is at most about a place than it is 4 mm to either side. */
-function shadeAt(stage: WebGLStage, canvas: HTMLCanvasElement, x: number): number {
-  const reds = redAcross(stage, canvas, x - 0.004, x + 0.004);
+function shadeAt(stage: WebGLStage, x: number): number {
+  const reds = redAcross(stage, x - 0.004, x + 0.004);
   return Math.min(reds[0], reds[reds.length - 1]) - Math.min(...reds);
 }
 
 /** Returns a stage on which a millimetre is about 1.5 pixels, all white. */
-function whiteStage(canvas: HTMLCanvasElement): WebGLStage {
-  const stage = newStage(canvas);
+function whiteStage(): WebGLStage {
+  const stage = newStage();
   stage.resize(600, 400, 1);
   for (const face of ["left", "right"] as const) stage.setFace(face, plainPicture("#ffffff"));
   for (const k of [0, 1]) {
@@ -217,32 +220,30 @@ test.each([
   ["the other page, over the spine", 0.25, -0.5],
 ])("white paper folded over onto %s has a shade at its edge", (_, crease, edge) => {
   for (const side of [1, -1] as const) {
-    const canvas = document.createElement("canvas");
-    const stage = whiteStage(canvas);
+    const stage = whiteStage();
     const leaf = foldedLeaf(side, crease);
     stage.pose({ ...open, leaves: [leaf], lying: [leaf], folded: true });
-    const shade = shadeAt(stage, canvas, side * edge * shape.width);
+    const shade = shadeAt(stage, side * edge * shape.width);
     // The left is toward the key light, so on that side of paper only the sky is shut out.
     expect(shade).toBeGreaterThan(side === 1 ? 12 : 30);
     expect(shade).toBeLessThan(130);
     // The flap is as bright as its page.
-    const [own] = redAcross(stage, canvas, side * 0.6 * edge * shape.width, 0.2);
+    const [own] = redAcross(stage, side * 0.6 * edge * shape.width, 0.2);
     expect(own).toBeGreaterThan(245);
   }
 });
 
 test("a loose sheet has a shade at its edges on a page, on another sheet and on the table", () => {
-  const canvas = document.createElement("canvas");
-  const stage = whiteStage(canvas);
+  const stage = whiteStage();
   stage.pose({ ...open, loose: [looseSheet(0, 1e-4, -0.1), looseSheet(1, 2e-4, -0.06)] });
   const right = shape.width - 0.1;
-  expect(shadeAt(stage, canvas, right)).toBeLessThan(2);
-  expect(shadeAt(stage, canvas, right + 0.04)).toBeGreaterThan(12);
+  expect(shadeAt(stage, right)).toBeLessThan(2);
+  expect(shadeAt(stage, right + 0.04)).toBeGreaterThan(12);
   stage.pose({ ...open, loose: [looseSheet(0, 1e-4, -0.1), looseSheet(1, 2e-4, -0.12)] });
-  expect(shadeAt(stage, canvas, right)).toBeGreaterThan(12);
-  expect(shadeAt(stage, canvas, right - 0.02)).toBeGreaterThan(12);
+  expect(shadeAt(stage, right)).toBeGreaterThan(12);
+  expect(shadeAt(stage, right - 0.02)).toBeGreaterThan(12);
   // The table is clear where nothing shades it.
-  const beside = () => colourAt(stage, canvas, 0.01 + shape.width + 0.001)[3];
+  const beside = () => colourAt(stage, 0.01 + shape.width + 0.001)[3];
   stage.pose({ ...open, loose: [looseSheet(0, 1e-4, 0.01)] });
   const lying = beside();
   stage.pose(open);
@@ -250,11 +251,10 @@ test("a loose sheet has a shade at its edges on a page, on another sheet and on 
 });
 
 test("as paper comes down its shade draws to its edge", () => {
-  const canvas = document.createElement("canvas");
-  const stage = whiteStage(canvas);
+  const stage = whiteStage();
   const widths = [0.012, 0.006, 0.003, 1e-4].map((height) => {
     stage.pose({ ...open, loose: [looseSheet(0, height, -0.1)] });
-    const reds = redAcross(stage, canvas, shape.width - 0.1, shape.width - 0.06);
+    const reds = redAcross(stage, shape.width - 0.1, shape.width - 0.06);
     return reds.filter((red) => red < 240).length;
   });
   expect(widths).toEqual([...widths].sort((a, b) => b - a));
@@ -269,7 +269,7 @@ test("what draws loose sheets is compiled with the frame in which a book is boun
     stage.draw();
     return compiled.mock.calls.length;
   };
-  const stage = newStage(document.createElement("canvas"));
+  const stage = newStage({}, document.createElement("canvas"));
   const [one, another] = [looseSheet(0, 0.01), looseSheet(1, 0.03, -0.04)];
   for (const sheet of [one, another]) Object.assign(sheet, { thickness: 1e-4 });
   expect(programs([])).toBeGreaterThan(0);
@@ -286,19 +286,18 @@ test("what draws loose sheets is compiled with the frame in which a book is boun
 });
 
 test("a forgotten picture leaves blank paper, and the table is clear", () => {
-  const canvas = document.createElement("canvas");
-  const stage = newStage(canvas);
+  const stage = newStage();
   const picture = plainPicture("#000000");
   stage.setFace("right", picture);
   stage.pose(open);
-  expect(colourAt(stage, canvas, 0.07)).toEqual([0, 0, 0, 255]);
+  expect(colourAt(stage, 0.07)).toEqual([0, 0, 0, 255]);
   stage.forget(picture);
-  expect(colourAt(stage, canvas, 0.07)).toEqual([0xfb, 0xf5, 0xe8, 255]);
-  expect(colourAt(stage, canvas, -0.5)[3]).toBe(0);
+  expect(colourAt(stage, 0.07)).toEqual([0xfb, 0xf5, 0xe8, 255]);
+  expect(colourAt(stage, -0.5)[3]).toBe(0);
 });
 
 test("a line of sight meets the place that it is seen at", () => {
-  const stage = newStage(document.createElement("canvas"), {
+  const stage = newStage({
     thickness: 0.02,
     cover: "hard",
     rim: 0.0032,
@@ -315,23 +314,21 @@ test("a line of sight meets the place that it is seen at", () => {
 
 test("beyond the spine of a page that stands alone nothing is cut off at the canvas's edge", () => {
   for (const alone of [1, -1] as const) {
-    const canvas = document.createElement("canvas");
-    const stage = newStage(canvas, { alone });
+    const stage = newStage({ alone });
     stage.resize(400, 120, 1);
     stage.pose(open);
     // As far from the spine as the canvas has space.
-    expect(colourAt(stage, canvas, -0.08 * alone)[3]).toBe(0);
-    const half = colourAt(stage, canvas, -0.02 * alone)[3];
+    expect(colourAt(stage, -0.08 * alone)[3]).toBe(0);
+    const half = colourAt(stage, -0.02 * alone)[3];
     expect(half).toBeGreaterThan(60);
     expect(half).toBeLessThan(250);
-    expect(colourAt(stage, canvas, 0.002 * alone)).toEqual([0xfb, 0xf5, 0xe8, 255]);
-    expect(colourAt(stage, canvas, 0.07 * alone)).toEqual([0xfb, 0xf5, 0xe8, 255]);
+    expect(colourAt(stage, 0.002 * alone)).toEqual([0xfb, 0xf5, 0xe8, 255]);
+    expect(colourAt(stage, 0.07 * alone)).toEqual([0xfb, 0xf5, 0xe8, 255]);
   }
 });
 
 test("the shadow on the table ends before the canvas does", () => {
-  const canvas = document.createElement("canvas");
-  const stage = newStage(canvas, { thickness: 0.02, cover: "hard", rim: 0.0032 });
+  const stage = newStage({ thickness: 0.02, cover: "hard", rim: 0.0032 });
   stage.pose(open);
   stage.draw();
   const copy = document.createElement("canvas");
@@ -352,8 +349,7 @@ test("the shadow on the table ends before the canvas does", () => {
 });
 
 test("at rest the canvas has two device pixels for each CSS pixel at least, and in software one and a half", () => {
-  const canvas = document.createElement("canvas");
-  const stage = newStage(canvas);
+  const stage = newStage();
   stage.pose(open);
   stage.draw({ resting: true });
   const resting = stage.isSoftware ? [300, 180] : [400, 240];
@@ -363,11 +359,10 @@ test("at rest the canvas has two device pixels for each CSS pixel at least, and 
 });
 
 test("a lost context comes back with everything on it", async () => {
-  const canvas = document.createElement("canvas");
-  const stage = newStage(canvas);
+  const stage = newStage();
   stage.setFace("right", plainPicture("#3366aa"));
   stage.pose(open);
-  const before = colourAt(stage, canvas, 0.07);
+  const before = colourAt(stage, 0.07);
   const loss = canvas.getContext("webgl2")!.getExtension("WEBGL_lose_context")!;
   const lost = new Promise((done) => canvas.addEventListener("webglcontextlost", done));
   loss.loseContext();
@@ -380,11 +375,11 @@ test("a lost context comes back with everything on it", async () => {
   await clock.task();
   loss.restoreContext();
   await restored;
-  expect(colourAt(stage, canvas, 0.07)).toEqual(before);
+  expect(colourAt(stage, 0.07)).toEqual(before);
 });
 
 test("a card without a context says so in one sentence", () => {
-  const canvas = document.createElement("canvas");
-  canvas.getContext = () => null;
-  expect(() => new WebGLStage(canvas, shape)).toThrow(/has no context to give/);
+  const without = document.createElement("canvas");
+  without.getContext = () => null;
+  expect(() => new WebGLStage(without, shape)).toThrow(/has no context to give/);
 });

@@ -62,10 +62,10 @@ export class WebGLStage implements BookStage {
   #materials: BookMaterials;
   #book: DrawnBook;
   /**
-   * What a book of another shape has taken the place of. It is disposed of after the next frame: three.js
-   * keeps a compiled program while a material uses it, and the new materials use the same.
+   * What another book, or one of another shape, has taken the place of. It is disposed of after the next
+   * frame: three.js keeps a compiled program while a material uses it, and the new materials use the same.
    */
-  readonly #replaced: { dispose(): void }[] = [];
+  readonly #replaced: { dispose(): void }[];
   readonly #faces = new Map<BitmapTarget, { shown: PagePicture | null; show: ShowTexture }>();
   #width = 1;
   #height = 1;
@@ -78,7 +78,9 @@ export class WebGLStage implements BookStage {
   constructor(canvas: HTMLCanvasElement, shape: BookShape) {
     this.#canvas = canvas;
     this.#shape = shape;
-    this.#renderer = openRenderer(canvas);
+    const { renderer, replaced } = openRenderer(canvas);
+    this.#renderer = renderer;
+    this.#replaced = replaced;
     this.isSoftware = drawsInSoftware(this.#renderer.getContext());
     this.#pictures = new PictureTextures(this.#renderer);
     this.#grains = new BookGrains(this.#pictures.anisotropy);
@@ -196,6 +198,7 @@ export class WebGLStage implements BookStage {
       // Clears the canvas; it is drawn again below before it can be seen.
       this.#renderer.setDrawingBufferSize(this.#width, this.#height, ratio);
     }
+    this.#book.light();
     this.#renderer.render(this.#scene, this.#camera);
     for (const replaced of this.#replaced.splice(0)) replaced.dispose();
   }
@@ -255,19 +258,19 @@ export class WebGLStage implements BookStage {
     const isKept = keepCanvas && !this.isLost;
     // Frees all of the GPU's memory at once; the rest releases what three.js keeps.
     if (!isKept && !this.isLost) this.#renderer.forceContextLoss();
-    for (const replaced of this.#replaced.splice(0)) replaced.dispose();
-    this.#book.dispose();
-    this.#beyond.dispose();
-    this.#materials.dispose();
+    const replaced = [...this.#replaced.splice(0), this.#book, this.#beyond, this.#materials];
     this.#grains.dispose();
     this.#pictures.dispose();
     this.#scene.clear();
     if (isKept) {
       // Nothing is seen of the book, and its pixels are freed.
       this.#renderer.setDrawingBufferSize(1, 1, 1);
-      spares.set(this.#canvas, this.#renderer);
-    } else this.#renderer.dispose();
-    return isKept;
+      spares.set(this.#canvas, { renderer: this.#renderer, replaced });
+      return true;
+    }
+    for (const one of replaced) one.dispose();
+    this.#renderer.dispose();
+    return false;
   }
 
   #print(face: BitmapTarget, picture: PagePicture | null, show: ShowTexture): void {
@@ -311,10 +314,16 @@ export class WebGLStage implements BookStage {
   }
 }
 
-/** Renderers of the canvases that another stage will draw on. */
-const spares = new WeakMap<HTMLCanvasElement, WebGLRenderer>();
+/** What draws on a canvas, and what of the book before was to be disposed of once the next is drawn. */
+interface OpenRenderer {
+  readonly renderer: WebGLRenderer;
+  readonly replaced: { dispose(): void }[];
+}
 
-function openRenderer(canvas: HTMLCanvasElement): WebGLRenderer {
+/** Renderers of the canvases that another stage will draw on. */
+const spares = new WeakMap<HTMLCanvasElement, OpenRenderer>();
+
+function openRenderer(canvas: HTMLCanvasElement): OpenRenderer {
   const spare = spares.get(canvas);
   if (spare) {
     spares.delete(canvas);
@@ -325,5 +334,5 @@ function openRenderer(canvas: HTMLCanvasElement): WebGLRenderer {
   const renderer = new WebGLRenderer({ canvas, context, alpha: true, antialias: true });
   renderer.outputColorSpace = SRGBColorSpace;
   renderer.setClearColor(0, 0);
-  return renderer;
+  return { renderer, replaced: [] };
 }
