@@ -8,6 +8,7 @@ import { unknownFailure } from "../failures.ts";
 import { limits } from "../limits.ts";
 import { BookError } from "../page_source.ts";
 import type { Archive } from "./archive.ts";
+import { legacyNames } from "./legacy_names.ts";
 import { cleanPath } from "./names.ts";
 
 // Workers would have to be allowed by the page's policy; the browser inflates in the background.
@@ -21,7 +22,7 @@ configure({ useWebWorkers: false });
  */
 export async function openZip(file: Blob, name: string): Promise<Archive> {
   const reader = new ZipReader(new BlobReader(file), { strictness: "tolerant" });
-  const entries = new Map<string, FileEntry>();
+  const found: FileEntry[] = [];
   try {
     let count = 0;
     for await (const entry of reader.getEntriesGenerator()) {
@@ -33,13 +34,28 @@ export async function openZip(file: Blob, name: string): Promise<Archive> {
           source: name,
         });
       }
-      const path = entry.directory ? null : cleanPath(entry.filename);
-      if (path !== null && !entries.has(path)) entries.set(path, entry as FileEntry);
+      if (!entry.directory) found.push(entry as FileEntry);
     }
   } catch (error) {
     throw damaged(name, error);
   }
+  const entries = new Map<string, FileEntry>();
+  for (const [filename, entry] of named(found)) {
+    const path = cleanPath(filename);
+    if (path !== null && !entries.has(path)) entries.set(path, entry);
+  }
   return new ZipArchive(name, entries);
+}
+
+/** Returns files with their names. */
+function named(files: readonly FileEntry[]): [name: string, file: FileEntry][] {
+  const unsaid = files.filter(({ filenameUTF8 }) => !filenameUTF8);
+  const names = legacyNames(
+    unsaid.map(({ rawFilename }) => rawFilename),
+    unsaid.map(({ filename }) => filename),
+  );
+  const known = new Map(unsaid.map((file, k) => [file, names[k] as string]));
+  return files.map((file) => [known.get(file) ?? file.filename, file]);
 }
 
 class ZipArchive implements Archive {

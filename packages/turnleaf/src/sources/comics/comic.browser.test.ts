@@ -189,3 +189,41 @@ test("a solid archive of LZMA is read", async () => {
     expect((await source.draw(index, 30, never)).height).toBe(40);
   }
 });
+
+test("names in the encodings of several systems, one with a byte of a backslash, lose no page", async () => {
+  const address = new URL("./fixtures/c05-names.cbz", import.meta.url);
+  const file = await (await fetch(address)).blob();
+  const { openZip } = await import("../archive/zip.ts");
+  expect((await openZip(file, "c05")).names.slice().sort()).toEqual(
+    ["第1話/01.jpg", "第1話/02.jpg", "第2話/01.jpg", "zzôquoteö.jpg", "章十.jpg", "表.jpg"].sort(),
+  );
+  expect((await openSource(new File([file], "c05.cbz"))).pageCount).toBe(6);
+});
+
+test("the cover stands first, images without an ending are pages, and what shared drives leave is none", async () => {
+  const page = await scan(40, 60);
+  const files = {
+    "p1.png": page,
+    p2: await scan(44, 60),
+    "Cover.png": await scan(48, 60),
+    "@eaDir/p1.png": page,
+    "#recycle/p0.png": page,
+    "p3.dat": "no image",
+    "a cover story.png": await scan(36, 60),
+  };
+  const source = await comic(files);
+  const widths = [];
+  for (let index = 0; index < source.pageCount; index++)
+    widths.push((await source.size(index)).width);
+  expect(widths).toEqual([48, 36, 40, 44]);
+});
+
+test("a ComicInfo.xml in which an element has no end is read", async () => {
+  const address = new URL("./fixtures/c06-unclosed.cbz", import.meta.url);
+  const source = await openSource(new File([await (await fetch(address)).blob()], "c06.cbz"));
+  expect([source.title, source.language, source.direction]).toEqual([
+    "S 1: T unclosed",
+    "ja",
+    "rtl",
+  ]);
+});

@@ -7,12 +7,20 @@ import { ImageSource } from "../images.ts";
 import { limits } from "../limits.ts";
 import type { ImagePage, StoredImage } from "../manifest.ts";
 import { BookError, type OutlineEntry, type PageSize, type PageSource } from "../page_source.ts";
+import { imageType, sniffLength } from "../sniff.ts";
 import { decodeXml } from "../xml_text.ts";
 import { type ComicInfo, noInfo, readComicInfo } from "./comic_info.ts";
 
 const imageName = /\.(jpe?g|jpe|jfif|png|gif|webp|avif|svg)$/i;
-/** What systems leave in archives beside their pages. */
-const junk = /^(\.|__MACOSX$)/i;
+/** What systems and shared drives leave in archives beside their pages: folders and hidden files. */
+const junk =
+  /^(\.|__MACOSX$|@eaDir$|@__thumb$|#recycle$|\$RECYCLE\.BIN$|lost\+found$|System Volume Information$)/i;
+
+/** Files that are no pages, whatever is in them. */
+const otherName = /\.(xml|txt|nfo|html?|json|md|db|ini|url|opf|ncx|css|js|sfv|acbf|zip|rar|7z)$/i;
+
+/** The name of a front cover, which stands before its first page in any order of names. */
+const coverName = /^(front[ _.-]?)?cover([ _.-]?(front|0{0,3}1?))?$/i;
 
 /** Bytes of an image in which its size is searched for, and images that are searched at a time. */
 const headerLength = 1 << 16;
@@ -36,7 +44,7 @@ const [leastDouble, mostDouble] = [1.6, 2.5];
  */
 export async function openComic(archive: Archive, file: Blob, name: string): Promise<PageSource> {
   try {
-    const files = imagesIn(archive.names);
+    const files = await pagesIn(archive);
     if (files.length === 0) {
       throw new BookError(`${name} is an archive with no book in it; open another.`, {
         code: "empty",
@@ -50,7 +58,7 @@ export async function openComic(archive: Archive, file: Blob, name: string): Pro
       );
     }
     const info = await readInfo(archive);
-    const scans = await measureAll(archive, files, info);
+    const scans = coverFirst(await measureAll(archive, files, info));
     const ratio = usualRatio(scans);
     const pages = scans.flatMap((scan) => pagesOf(scan, info.direction, ratio));
     if (pages.length === 0)
@@ -75,18 +83,41 @@ export async function openComic(archive: Archive, file: Blob, name: string): Pro
   }
 }
 
-/** Returns the images among names, in the natural order of their paths. */
-export function imagesIn(names: readonly string[]): string[] {
+/** Returns the images in an archive, in the natural order of their paths. */
+async function pagesIn(archive: Archive): Promise<string[]> {
+  const names = archive.names.filter((name) => !name.split("/").some((step) => junk.test(step)));
+  const images = names.filter((name) => imageName.test(name));
+  // Where names say nothing, the bytes do.
+  const unnamed = names.filter((name) => !imageName.test(name) && !otherName.test(name));
+  for (const name of unnamed.slice(0, limits.pages)) {
+    const start = await archive.readStart(name, sniffLength).catch(() => null);
+    if (start !== null && imageType(start) !== null) images.push(name);
+  }
+  return inOrder(images);
+}
+
+/** Returns paths in their natural order: by folders, and by names without their endings. */
+export function inOrder(names: readonly string[]): string[] {
   const { compare } = new Intl.Collator("en", { numeric: true });
-  const paths = names
-    .filter((name) => imageName.test(name) && !name.split("/").some((step) => junk.test(step)))
-    .map((name) => ({ name, steps: name.split("/") }));
+  const paths = names.map((name) => ({ name, steps: name.replace(/\.[^./]*$/, "").split("/") }));
   paths.sort((a, b) => {
     const other = a.steps.findIndex((step, index) => step !== b.steps[index]);
     const order = compare(a.steps[other] ?? "", b.steps[other] ?? "");
     return order || (a.name < b.name ? -1 : 1);
   });
   return paths.map(({ name }) => name);
+}
+
+/** Returns scans with the front cover before all others, if one is named so. */
+function coverFirst(scans: readonly Scan[]): readonly Scan[] {
+  const isCover = ({ path }: Scan): boolean =>
+    coverName.test((path.split("/").pop() ?? "").replace(/\.[^.]*$/, ""));
+  const cover = scans.find(isCover);
+  const ordered = cover ? [cover, ...scans.filter((scan) => scan !== cover)] : scans;
+  return ordered.map((scan, index) => ({
+    ...scan,
+    isCover: index === 0 || index === ordered.length - 1,
+  }));
 }
 
 /** Returns what the archive's ComicInfo.xml says; nothing if it has none that can be read. */
@@ -103,6 +134,7 @@ async function readInfo(archive: Archive): Promise<ComicInfo> {
 
 /** An image of the archive. */
 interface Scan {
+  readonly path: string;
   readonly image: StoredImage;
   /** Null if its header does not say. */
   readonly size: PageSize | null;
@@ -130,11 +162,12 @@ async function measureAll(
         read: async () => new Blob([await archive.read(path, limits.imageBytes)]),
       };
       scans[index] = {
+        path,
         image,
         size: await sizeOf(archive, path),
         double: page?.double ?? false,
         bookmark: page?.bookmark ?? "",
-        isCover: index === 0 || index === files.length - 1,
+        isCover: false,
       };
     }
   };

@@ -129,13 +129,3 @@ test("a FictionBook with bare ampersands and named characters", async () => {
   expect(source.title).toBe("Tom & Jerry");
   expect((await pagesOf(source)).join(" ")).toContain("Text a & b x TAIL");
 });
-
-test("a comic whose ComicInfo has an element without an end", async () => {
-  const source = await openSource(await fixture("c06-unclosed.cbz"));
-  opened.push(source);
-  expect([source.title, source.language, source.direction]).toEqual([
-    "S 1: T unclosed",
-    "ja",
-    "rtl",
-  ]);
-});
