@@ -3,6 +3,7 @@
  * <img>, which a page's policy may forbid.
  */
 
+import { BMP } from "image-size/types/bmp";
 import { GIF } from "image-size/types/gif";
 import { JPG } from "image-size/types/jpg";
 import { PNG } from "image-size/types/png";
@@ -26,6 +27,7 @@ const readers: Readonly<Record<string, typeof JPG>> = {
   "image/png": PNG,
   "image/jpeg": JPG,
   "image/gif": GIF,
+  "image/bmp": BMP,
   "image/webp": WEBP,
 };
 

@@ -461,3 +461,64 @@ describe("unreadable input fails in one sentence", () => {
     );
   });
 });
+
+describe("images that browsers show and decode less readily", () => {
+  const fixture = async (name: string): Promise<File> => {
+    const response = await fetch(new URL(`./fixtures/${name}`, import.meta.url));
+    return new File([await response.blob()], name);
+  };
+
+  /** Returns a page's picture as pixels. */
+  async function pixelsOf(file: File, width: number): Promise<ImageData> {
+    const source = await openSource(file);
+    const drawn = (await source.draw(0, width, never)) as ImageBitmap;
+    const pen = new OffscreenCanvas(drawn.width, drawn.height).getContext("2d")!;
+    pen.drawImage(drawn, 0, 0);
+    return pen.getImageData(0, 0, drawn.width, drawn.height);
+  }
+
+  it("shows a JPEG that breaks off as far as it goes", async () => {
+    const { data, width, height } = await pixelsOf(await fixture("i-trunc.jpg"), 400);
+    expect([width, height]).not.toContain(0);
+    expect(data.some((value, k) => k % 4 < 3 && value < 200)).toBe(true);
+  });
+
+  it("shows a PNG upright, as its camera held it", async () => {
+    const file = await fixture("i-exif.png");
+    const source = await openSource(file);
+    await source.draw(0, 100, never);
+    expect(await source.size(0)).toEqual({ width: 200, height: 300 });
+    const { width, height } = await pixelsOf(file, 100);
+    expect([width, height]).toEqual([100, 150]);
+  });
+
+  it("shows a BMP", async () => {
+    // Two pixels, blue and red, of 24 bits.
+    const bytes = new Uint8Array(62);
+    const view = new DataView(bytes.buffer);
+    bytes.set([0x42, 0x4d]);
+    view.setUint32(2, 62, true);
+    view.setUint32(10, 54, true);
+    view.setUint32(14, 40, true);
+    view.setInt32(18, 2, true);
+    view.setInt32(22, 1, true);
+    view.setUint16(26, 1, true);
+    view.setUint16(28, 24, true);
+    bytes.set([255, 0, 0, 0, 0, 255], 54);
+    const { data } = await pixelsOf(new File([bytes], "a.bmp"), 2);
+    expect([...data]).toEqual([0, 0, 255, 255, 255, 0, 0, 255]);
+  });
+
+  it.each([
+    ["II*\0", "a TIFF"],
+    ["\xff\x0a", "a JPEG XL"],
+    ["\0\0\0\x18ftypheic", "a HEIC"],
+    ["\0\0\0\x0cjP  \r\n\x87\n", "a JPEG 2000"],
+  ])("says that %j is %s", async (mark, format) => {
+    const bytes = Uint8Array.from(mark.padEnd(64, "\0"), (letter) => letter.charCodeAt(0));
+    const source = await openSource(new File([bytes], "a.img"));
+    expect(await messageOf(source.draw(0, 10, never))).toBe(
+      `Page 1 of a.img is ${format}, which this browser does not show; convert it to PNG or JPEG.`,
+    );
+  });
+});

@@ -15,6 +15,8 @@ import {
   type TextRun,
 } from "./page_source.ts";
 import { SharedTasks } from "./shared_tasks.ts";
+import { mayLieTurned, shownImage } from "./shown_image.ts";
+import { unshownFormat } from "./sniff.ts";
 
 /** Encoded images kept, so that drawing a page sharper does not fetch it again. */
 const keptImages = 6;
@@ -159,13 +161,16 @@ export class ImageSource implements PageSource {
       resizeHeight: pixels.height,
       resizeQuality: "high",
     };
+    const drawn = (from: ImageBitmapSource): Promise<ImageBitmap> =>
+      part === null
+        ? createImageBitmap(from, options)
+        : createImageBitmap(from, part.x, part.y, part.width, part.height, options);
     try {
-      if (part === null) return await createImageBitmap(image, options);
-      if (isSvg(image)) {
+      if (part !== null && isSvg(image)) {
         const { drawSvg } = await loadPart(import("./svg.ts"));
         return await drawSvg(image, part, pixels);
       }
-      return await createImageBitmap(image, part.x, part.y, part.width, part.height, options);
+      return await drawn(image).catch(async () => await drawn(await shownImage(image)));
     } catch (error) {
       throw error instanceof BookError ? error : this.#undecodable(index, image);
     }
@@ -244,10 +249,19 @@ export class ImageSource implements PageSource {
 
   #undecodable(index: number, image: Blob): BookError {
     const place = this.#place(index);
+    const format = unshownFormat(image.type);
+    if (format) {
+      const sentence = `${place} is ${format}, which this browser does not show; convert it to PNG or JPEG.`;
+      return new BookError(sentence, {
+        code: "unsupported",
+        page: index + 1,
+        source: this.#book.name,
+      });
+    }
     return new BookError(
       isSvg(image)
         ? `${place} is damaged, or this page's Content-Security-Policy lacks data: in img-src, by which an SVG is drawn.`
-        : `${place} is damaged or no image; PNG, JPEG, WebP, AVIF, GIF and SVG can be shown.`,
+        : `${place} is damaged or no image; PNG, JPEG, WebP, AVIF, GIF, BMP and SVG can be shown.`,
       { code: "damaged", page: index + 1, source: this.#book.name },
     );
   }
@@ -282,14 +296,17 @@ async function measure(image: Blob): Promise<PageSize> {
     return await sizeOfSvg(image);
   }
   const size = await sizeFromHeader(image);
-  if (size) return size;
+  const isBounded = size && size.width * size.height <= limits.imagePixels;
+  if (size && !(isBounded && (await mayLieTurned(image)))) return size;
   const claimed = await claimedSize(image);
   const isTooLarge = claimed && claimed.width * claimed.height > limits.imagePixels;
   return isTooLarge ? claimed : await measureByDecoding(image);
 }
 
 async function measureByDecoding(image: Blob): Promise<PageSize> {
-  const bitmap = await createImageBitmap(image);
+  const bitmap = await createImageBitmap(image).catch(
+    async () => await createImageBitmap(await shownImage(image)),
+  );
   const size = { width: bitmap.width, height: bitmap.height };
   bitmap.close();
   return size;

@@ -36,7 +36,31 @@ const images: readonly (readonly [type: string, offset: number, mark: string])[]
   ["image/webp", 8, "WEBP"],
   ["image/avif", 4, "ftypavif"],
   ["image/avif", 4, "ftypavis"],
+  ["image/heic", 4, "ftyphei"],
+  ["image/heic", 4, "ftypmif1"],
+  ["image/tiff", 0, "II*\0"],
+  ["image/tiff", 0, "MM\0*"],
+  ["image/jxl", 0, "\xff\x0a"],
+  ["image/jxl", 4, "JXL \r\n\x87\n"],
+  ["image/jp2", 4, "jP  \r\n\x87\n"],
+  ["image/jp2", 0, "\xff\x4f\xff\x51"],
 ];
+
+/** Formats of images that few browsers show, as sentences name them. */
+const unshown: Readonly<Record<string, string>> = {
+  "image/heic": "a HEIC",
+  "image/tiff": "a TIFF",
+  "image/jxl": "a JPEG XL",
+  "image/jp2": "a JPEG 2000",
+};
+
+/** Returns how a sentence names the format of an image that few browsers show; undefined for others. */
+export function unshownFormat(type: string): string | undefined {
+  return unshown[type];
+}
+
+/** A BMP: its mark is short, so that the four bytes which it leaves empty are asked too. */
+const isBmp = (text: string): boolean => text.startsWith("BM") && text.startsWith("\0\0\0\0", 6);
 
 const zip = "PK\x03\x04";
 const rar = "Rar!\x1a\x07";
@@ -104,6 +128,7 @@ export function imageType(start: Uint8Array): string | null {
   const text = latin1(start.subarray(0, sniffLength));
   const found = images.find(([, offset, mark]) => text.startsWith(mark, offset));
   if (found) return found[0];
+  if (isBmp(text)) return "image/bmp";
   const words = wordsOf(text);
   const isSvg =
     /^<(\?xml|!--|!doctype svg|([\w-]+:)?svg[\s>])/i.test(words) &&

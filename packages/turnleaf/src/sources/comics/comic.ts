@@ -11,7 +11,7 @@ import { imageType, sniffLength } from "../sniff.ts";
 import { decodeXml } from "../xml_text.ts";
 import { type ComicInfo, noInfo, readComicInfo } from "./comic_info.ts";
 
-const imageName = /\.(jpe?g|jpe|jfif|png|gif|webp|avif|svg)$/i;
+const imageName = /\.(jpe?g|jpe|jfif|png|gif|webp|avif|bmp|svg)$/i;
 /** What systems and shared drives leave in archives beside their pages: folders and hidden files. */
 const junk =
   /^(\.|__MACOSX$|@eaDir$|@__thumb$|#recycle$|\$RECYCLE\.BIN$|lost\+found$|System Volume Information$)/i;
