@@ -136,6 +136,17 @@ test("the keyboard reaches what is on the open pages, in their order, and nothin
   expect(document.activeElement?.id).not.toMatch(/^b/);
 });
 
+test("a field that has the focus as its page turns gives it to the book, whose keys go on", async () => {
+  const element = await bookOf(sections(...plain.map((text) => `${text}<input>`)), { page: "2" });
+  const page = element.children[1] as HTMLElement;
+  page.querySelector("input")?.focus();
+  expect(document.activeElement).toBe(page.querySelector("input"));
+  await goTo(element, 4);
+  expect(document.activeElement).toBe(element);
+  await userEvent.keyboard("{ArrowLeft}");
+  await eventually(() => element.page).toBe(2);
+});
+
 test("a film stops while its page is closed, and goes on when it is open again", async () => {
   const pages = sections("<p>1</p>", "<video muted></video>", "<p>3</p>", "<p>4</p>", "<p>5</p>");
   const film = document.createElement("canvas");
