@@ -6,7 +6,7 @@ import { expect, test } from "vitest";
 const root = join(import.meta.dirname, "..");
 const page = readFileSync(join(root, "docs/requests.md"), "utf8");
 const rows = [...page.matchAll(/^\| (\d+) \| (.*) \| (.*) \| (.*) \|$/gm)].map(
-  ([, number, asked, answer, shown]) => ({ number: Number(number), asked, answer, shown }),
+  ([, number, asked, reply, shown]) => ({ number: Number(number), asked, reply, shown }),
 );
 
 /** What is tested, by a word for it in a request, and the folder of its tests. */
@@ -22,7 +22,7 @@ const tested = [
   }),
 ];
 
-test("the requests are numbered, and each names what shows its answer", () => {
+test("the requests are numbered, and each names what shows its reply", () => {
   expect(rows.map(({ number }) => number)).toEqual(Array.from({ length: 25 }, (_, i) => i + 1));
   for (const { number, shown } of rows) {
     expect(shown, `request ${number}`).toMatch(/\]\([^)]*\.test\.\w+\)/);
@@ -30,12 +30,12 @@ test("the requests are numbered, and each names what shows its answer", () => {
 });
 
 test("what has tests is not said to have none, and they are named", () => {
-  const errors = rows.flatMap(({ number, asked, answer, shown }) =>
+  const errors = rows.flatMap(({ number, asked, reply, shown }) =>
     tested.flatMap(({ word, tests }) => {
       if (!new RegExp(`\\b(${word})\\b`, "i").test(asked)) return [];
-      const isNamed = `${answer} ${shown}`.includes(tests);
+      const isNamed = `${reply} ${shown}`.includes(tests);
       // Safari's engine is tested, and Safari itself is not.
-      const denied = answer
+      const denied = reply
         .replace(/\w+ itself is not tested/g, "")
         .match(/not tested|\*\*Open|alone\./i);
       return [

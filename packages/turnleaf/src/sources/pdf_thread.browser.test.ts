@@ -29,7 +29,7 @@ test("a worker starts while pdf.js itself is still compiled, and ends if that fa
 });
 
 test("neither the worker nor the renderer warns on the console of what a file has strange", async () => {
-  // pdf.js is loaded anew: it remembers what it was told last.
+  // pdf.js is loaded anew: it remembers its last verbosity.
   vi.resetModules();
   const said: unknown[] = [];
   const { postMessage } = Worker.prototype;
