@@ -82,10 +82,18 @@ export class ElementPlane {
    * not shown, or seen edge-on.
    */
   fromClient(x: number, y: number): Point | null {
+    return this.measure()(x, y);
+  }
+
+  /** Returns what `fromClient` does, for many points at once: as the element is seen now. */
+  measure(): (x: number, y: number) => Point | null {
     const { clientWidth, clientHeight } = this.#element;
-    const at = project(inverseOf(this.#projection), x, y);
-    if (!Number.isFinite(at.x) || !Number.isFinite(at.y)) return null;
-    return { x: at.x * clientWidth, y: at.y * clientHeight };
+    const inverse = inverseOf(this.#projection);
+    return (x, y) => {
+      const at = project(inverse, x, y);
+      if (!Number.isFinite(at.x) || !Number.isFinite(at.y)) return null;
+      return { x: at.x * clientWidth, y: at.y * clientHeight };
+    };
   }
 
   /** Which way of the window's the element's own x axis goes, or comes closest to, at its middle. */

@@ -6,6 +6,7 @@ import { clock } from "./for_tests/clock.ts";
 import { book, happens, settled } from "./for_tests/element_books.ts";
 import { eventually } from "./for_tests/eventually.ts";
 import { HtmlPages } from "./sources/html/html_pages.ts";
+import type { TextRun } from "./sources/page_source.ts";
 
 afterEach(() => {
   for (const element of document.querySelectorAll("turnleaf-book, section")) element.remove();
@@ -131,6 +132,17 @@ test("the keyboard reaches what is on the open pages, in their order, and nothin
   expect(document.activeElement?.id).toBe("b3");
   await userEvent.keyboard("{Tab}");
   expect(document.activeElement?.id).not.toMatch(/^b/);
+});
+
+test("a field that has the focus as its page turns gives it to the book, whose keys go on", async () => {
+  const element = await bookOf(sections(...plain.map((text) => `${text}<input>`)), { page: "2" });
+  const page = element.children[1] as HTMLElement;
+  page.querySelector("input")?.focus();
+  expect(document.activeElement).toBe(page.querySelector("input"));
+  await goTo(element, 4);
+  expect(document.activeElement).toBe(element);
+  await userEvent.keyboard("{ArrowLeft}");
+  await eventually(() => element.page).toBe(2);
 });
 
 test("a film stops while its page is closed, and goes on when it is open again", async () => {
@@ -328,3 +340,44 @@ test.each(["display: none", "a closed dialog"])(
     around.remove();
   },
 );
+
+test("what is written on a page is found where it stands, however the book around it is transformed", async () => {
+  const text =
+    "<p style='margin: 40px 20px; line-height: 30px'>Call me Ishmael. Some <b>years</b> ago</p>";
+  const runsIn = async (style: string): Promise<readonly TextRun[]> => {
+    const around = document.createElement("div");
+    around.style.cssText = `position: fixed; left: 200px; top: 150px; ${style}`;
+    document.body.append(around);
+    const element = book(null, { cover: "none", duration: "0" });
+    const pages = sections(text, text, text, text);
+    element.append(...pages);
+    around.append(element);
+    await happens(element, "load");
+    await laidOut(element);
+    const source = new HtmlPages([pages[0]]);
+    const runs = await source.text(0, new AbortController().signal);
+    source.close();
+    around.remove();
+    return runs;
+  };
+  const upright = await runsIn("");
+  expect(upright.map((run) => run.text)).toEqual(["Call me Ishmael. ", "Some ", "years", "ago"]);
+  expect([upright[0].x, upright[2].height]).toEqual([expect.closeTo(20, 0), expect.closeTo(22, 0)]);
+  for (const style of [
+    "rotate: 20deg",
+    "rotate: 45deg",
+    "rotate: 90deg",
+    "scale: -0.7 0.7",
+    "zoom: 1.4",
+  ]) {
+    const runs = await runsIn(style);
+    expect(runs.map((run) => run.text)).toEqual(upright.map((run) => run.text));
+    for (const [k, run] of runs.entries()) {
+      for (const at of ["x", "y", "width", "height"] as const) {
+        expect(Math.abs(run[at] - upright[k][at]), `${style}: ${at} of ${run.text}`).toBeLessThan(
+          1,
+        );
+      }
+    }
+  }
+});

@@ -84,10 +84,11 @@ export class ContentsTab implements PanelTab {
 
   /** Scrolls the list until a line is in sight; `scrollIntoView` would scroll the web page too. */
   #reveal(line: HTMLElement): void {
-    const [list, { top, bottom }] = [this.element, line.getBoundingClientRect()];
-    const frame = list.getBoundingClientRect();
-    if (top < frame.top) list.scrollTop -= frame.top - top;
-    else if (bottom > frame.bottom) list.scrollTop += bottom - frame.bottom;
+    const [list, { offsetTop: top, offsetHeight }] = [this.element, line];
+    const bottom = top + offsetHeight;
+    if (top < list.scrollTop) list.scrollTop = top;
+    else if (bottom > list.scrollTop + list.clientHeight)
+      list.scrollTop = bottom - list.clientHeight;
   }
 
   focus(): void {

@@ -160,5 +160,5 @@ class LivePage {
 const style: string = /* css */ `
 .drawings { position: absolute; left: 50%; top: 50%; transform: scale(1e-5); pointer-events: none; }
 .drawings > canvas { position: absolute; left: 0; top: 0; }
-.drawings > canvas > div { width: max-content; background: #fff; }
+.drawings > canvas > div { position: relative; width: max-content; background: #fff; }
 `;

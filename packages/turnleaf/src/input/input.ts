@@ -56,7 +56,7 @@ interface Press extends Place {
   pans: boolean;
   /** Its position. */
   at: Place;
-  /** Where it went down and where it is in the window, whose pixels tell how far a hand has moved. */
+  /** Where it went down and where it is in the window, whose pixels say how far a pointer has moved. */
   readonly from: Place;
   to: Place;
 }

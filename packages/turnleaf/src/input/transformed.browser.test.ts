@@ -1,4 +1,4 @@
-/** A book in other people's transformations: a reader's hand does there what it does in an upright one. */
+/** A book in other people's transformations: a pointer does there what it does in an upright one. */
 
 import { afterEach, expect, test } from "vitest";
 import { userEvent } from "vitest/browser";
@@ -150,7 +150,7 @@ async function used(placed: PlacedBook): Promise<Record<string, unknown>> {
   };
   pointer.roll(0, -40, { ctrlKey: true, ...at(90, 80) });
   await settled(element);
-  seen.rolled = laid();
+  seen.wheeled = laid();
   element.zoom = 1;
   await settled(element);
   const [a, b] = [1, 2].map((pointerId) => ({ pointerType: "touch", pointerId }));
@@ -181,11 +181,11 @@ test.each(transformations)("%s", async (_, around, own) => {
   const expected = await upright;
   expect(expected).toMatchObject({ selected: "Call me", typed: "Ahab", clicked: 4, dragged: 4 });
   expect(expected.point).toEqual([33, 77]);
-  const { rolled, ...seen } = await used(new PlacedBook(around, own));
-  expect({ ...seen, rolled: expected.rolled }).toEqual(expected);
+  const { wheeled, ...seen } = await used(new PlacedBook(around, own));
+  expect({ ...seen, wheeled: expected.wheeled }).toEqual(expected);
   // A wheel says where it is in whole pixels of the window.
-  for (const [k, place] of (rolled as number[]).entries()) {
-    expect(Math.abs(place - (expected.rolled as number[])[k])).toBeLessThan(1);
+  for (const [k, place] of (wheeled as number[]).entries()) {
+    expect(Math.abs(place - (expected.wheeled as number[])[k])).toBeLessThan(1);
   }
 });
 

@@ -325,7 +325,7 @@ export interface PageSource {
    * drawn, with all else as it was.
    */
   watchDrawings?(listener: (index: number) => void): void;
-  /** Has page `index` (from 0) drawn as it looks now, though nothing has told the source of a change. */
+  /** Has page `index` (from 0) drawn as it looks now, though no change has been reported to the source. */
   outdate?(index: number): void;
   /**
    * Sets the listener for sizes that had to be guessed, as of elements that were hidden, and are

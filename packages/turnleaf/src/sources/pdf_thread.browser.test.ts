@@ -2,6 +2,7 @@ import { afterEach, expect, test, vi } from "vitest";
 import { eventually } from "../for_tests/eventually.ts";
 import type { PdfLibrary } from "./pdf_runtime.ts";
 import { PdfThread } from "./pdf_thread.ts";
+import { tinyPdf } from "./tiny_pdf.ts";
 
 afterEach(() => {
   vi.restoreAllMocks();
@@ -25,4 +26,27 @@ test("a worker starts while pdf.js itself is still compiled, and ends if that fa
   library.reject(new Error("It does not compile."));
   await expect(starting).rejects.toThrow("It does not compile.");
   expect(terminate).toHaveBeenCalledOnce();
+});
+
+test("neither the worker nor the renderer warns on the console of what a file has strange", async () => {
+  // pdf.js is loaded anew: it remembers its last verbosity.
+  vi.resetModules();
+  const said: unknown[] = [];
+  const { postMessage } = Worker.prototype;
+  vi.spyOn(Worker.prototype, "postMessage").mockImplementation(function (
+    this: Worker,
+    message: { action?: string; data?: { verbosity?: number } },
+    ...how: unknown[]
+  ) {
+    if (message?.action === "configure") said.push(message.data?.verbosity);
+    return (postMessage as (...all: unknown[]) => void).call(this, message, ...how);
+  } as typeof postMessage);
+  const { openPdf } = await import("./pdf.ts");
+  const bytes = tinyPdf({ pages: ["0 0 10 10 re f"] });
+  const source = await openPdf({ from: new Blob([bytes]), name: "a.pdf" });
+  const picture = await source.draw(0, 50, new AbortController().signal);
+  expect(picture.width).toBe(50);
+  expect(said.length).toBeGreaterThan(0);
+  expect(new Set(said)).toEqual(new Set([0]));
+  source.close();
 });

@@ -68,7 +68,10 @@ export class PdfThread {
     }
     try {
       thread.#library = await library;
-      thread.#worker = new thread.pdfjs.PDFWorker({ port: thread.#port() as unknown as null });
+      const { PDFWorker, VerbosityLevel } = thread.pdfjs;
+      // Said here too: the worker is there before the document that says it.
+      const verbosity = VerbosityLevel.ERRORS;
+      thread.#worker = new PDFWorker({ port: thread.#port() as unknown as null, verbosity });
       return thread;
     } catch (error) {
       thread.stop();

@@ -1,61 +1,136 @@
 /** What the text of elements says, to be found and to lead to pages. */
 
+import { ElementPlane } from "../../element_plane.ts";
 import { cleanRun, cleanText } from "../book_text.ts";
 import { limits } from "../limits.ts";
 import type { OutlineEntry, TextRun } from "../page_source.ts";
 
+/** Where something is on a page, in the page's own CSS pixels. */
+interface Bounds {
+  readonly left: number;
+  readonly top: number;
+  readonly right: number;
+  readonly bottom: number;
+}
+
+/** Returns where a point of the window is on the page, CSS pixels; null if that cannot be seen. */
+type Locate = (x: number, y: number) => { readonly x: number; readonly y: number } | null;
+
 /** Returns the text that a page shows, a run for each line of each piece of text. */
 export function textIn(page: HTMLElement): TextRun[] {
-  const around = page.getBoundingClientRect();
-  const scale = around.width > 0 ? page.offsetWidth / around.width : 1;
-  const document = page.ownerDocument;
-  const walker = document.createTreeWalker(page, NodeFilter.SHOW_TEXT);
-  const range = document.createRange();
+  // In a book it is seen as the box around it is, and has its size.
+  const box = page.assignedSlot?.parentElement;
+  if (!box) {
+    const { left, top } = page.getBoundingClientRect();
+    return runsIn(page, (x, y) => ({ x: x - left, y: y - top }));
+  }
+  const plane = new ElementPlane(box);
+  try {
+    return runsIn(page, plane.measure());
+  } finally {
+    plane.remove();
+  }
+}
+
+function runsIn(page: HTMLElement, locate: Locate): TextRun[] {
+  const { ownerDocument, offsetWidth, offsetHeight } = page;
+  const walker = ownerDocument.createTreeWalker(page, NodeFilter.SHOW_TEXT);
+  const range = ownerDocument.createRange();
   const runs: TextRun[] = [];
   for (let node = walker.nextNode(); node && runs.length < limits.runs; node = walker.nextNode()) {
     const value = node.nodeValue ?? "";
     if (value.trim() === "" || node.parentElement?.closest("script, style, textarea")) continue;
-    for (const [from, to] of linesOf(value, (at) => topOf(range, node, at))) {
-      range.setStart(node, from);
-      range.setEnd(node, to);
-      const { left, top, width, height } = range.getBoundingClientRect();
+    for (const { from, to, bounds } of linesOf(value, (...word) =>
+      boundsOf(range, node, locate, ...word),
+    )) {
       const text = cleanRun(value.slice(from, to)).replace(/\s+/g, " ");
-      if (width === 0 || height === 0 || text.trim() === "") continue;
-      const [x, y] = [(left - around.left) * scale, (top - around.top) * scale];
-      runs.push({ text, x, y, width: width * scale, height: height * scale, angle: 0, end: true });
+      const { left: x, top: y, right, bottom } = bounds;
+      const [width, height] = [right - x, bottom - y];
+      if (width > 0 && height > 0 && text.trim() !== "") {
+        runs.push({ text, x, y, width, height, angle: 0, end: true });
+      }
     }
   }
   return runs.filter(
     ({ x, y, width, height }) =>
-      x < page.offsetWidth && y < page.offsetHeight && x + width > 0 && y + height > 0,
+      x < offsetWidth && y < offsetHeight && x + width > 0 && y + height > 0,
   );
 }
 
-/** Returns where a word's first letter is seen from above; null if it is not shown. */
-function topOf(range: Range, node: Node, at: number): number | null {
-  range.setStart(node, at);
-  range.setEnd(node, at + 1);
-  const { height, bottom } = range.getBoundingClientRect();
-  return height > 0 ? bottom : null;
+/**
+ * Returns where a word of a node lies on its page; null if it is not shown. The browser says where
+ * things are by upright boxes around them: those of a turned word are too large, but have its middle,
+ * and that of the caret at its end is a line from corner to corner. The word is the same on both sides
+ * of its middle.
+ */
+function boundsOf(
+  range: Range,
+  node: Node,
+  locate: Locate,
+  from: number,
+  to: number,
+): Bounds | null {
+  range.setStart(node, from);
+  range.setEnd(node, to);
+  const word = range.getBoundingClientRect();
+  if (word.width === 0 && word.height === 0) return null;
+  range.collapse();
+  const caret = range.getBoundingClientRect();
+  const middle = locate(word.left + word.width / 2, word.top + word.height / 2);
+  const end = lineIn(caret.width > 0 || caret.height > 0 ? caret : word, locate);
+  if (!middle || !end) return null;
+  const xs = end.flatMap(({ x }) => [x, 2 * middle.x - x]);
+  const ys = end.flatMap(({ y }) => [y, 2 * middle.y - y]);
+  const [left, top] = [Math.min(...xs), Math.min(...ys)];
+  return { left, top, right: Math.max(...xs), bottom: Math.max(...ys) };
 }
 
-/** Divides a text into lines: where a word's letters stand lower than those of the word before. */
+/** Returns the diagonal of a box that is upright or level on the page, or nearest to that. */
+function lineIn({ left, top, right, bottom }: DOMRect, locate: Locate) {
+  const diagonals = [
+    [locate(left, top), locate(right, bottom)],
+    [locate(right, top), locate(left, bottom)],
+  ].flatMap(([from, to]) => (from && to ? [[from, to] as const] : []));
+  const slant = ([from, to]: (typeof diagonals)[number]): number =>
+    Math.min(Math.abs(to.x - from.x), Math.abs(to.y - from.y));
+  return diagonals.sort((a, b) => slant(a) - slant(b))[0];
+}
+
+/** A line of a text: from one character to another. */
+interface Line {
+  readonly from: number;
+  readonly to: number;
+  readonly bounds: Bounds;
+}
+
+/** Divides a text into lines: where a word stands lower than the one before. */
 function* linesOf(
   text: string,
-  bottomAt: (at: number) => number | null,
-): Generator<readonly [from: number, to: number]> {
-  let from = 0;
-  let line: number | null = null;
-  for (const { index } of text.slice(0, limits.textLength).matchAll(/\S+/g)) {
-    const bottom = bottomAt(index);
-    if (bottom === null) continue;
-    if (line !== null && Math.abs(bottom - line) > 1) {
-      yield [from, index];
-      from = index;
+  boundsOf: (from: number, to: number) => Bounds | null,
+): Generator<Line> {
+  let line = null as Line | null;
+  for (const { 0: word, index } of text.slice(0, limits.textLength).matchAll(/\S+/g)) {
+    const bounds = boundsOf(index, index + word.length);
+    if (bounds === null) continue;
+    if (line && Math.abs(bounds.bottom - line.bounds.bottom) > 1) {
+      yield { ...line, to: index };
+      line = null;
     }
-    line = bottom;
+    const to = index + word.length;
+    line = line
+      ? { ...line, to, bounds: around(line.bounds, bounds) }
+      : { from: index, to, bounds };
   }
-  yield [from, text.length];
+  if (line) yield { ...line, to: text.length };
+}
+
+function around(a: Bounds, b: Bounds): Bounds {
+  return {
+    left: Math.min(a.left, b.left),
+    top: Math.min(a.top, b.top),
+    right: Math.max(a.right, b.right),
+    bottom: Math.max(a.bottom, b.bottom),
+  };
 }
 
 /** Returns the contents that the headings of pages make. */
