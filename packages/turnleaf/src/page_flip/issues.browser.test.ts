@@ -66,7 +66,7 @@ test("#69, #14: a book in a shadow tree, and pages given anew there", async () =
   await eventually(() => book.getCurrentPageIndex()).toBe(4);
 });
 
-test("#68, #27, #13: read from right to left, as the element is told", async () => {
+test("#68, #27, #13: read from right to left by the property of the element", async () => {
   const { book, host } = await opened({ showPageCorners: false });
   elementOf(book).binding = "right";
   await lies(book);
