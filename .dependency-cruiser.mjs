@@ -90,6 +90,7 @@ const parts = {
     "index.ts",
     "leaf_models",
     "open_viewer.ts",
+    "page_flip",
     "sources",
     "stage",
     "viewer",

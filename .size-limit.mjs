@@ -44,6 +44,7 @@ const apart = [
   part("pages that are scrolled", 4, "roll_view"),
   part("sounds and films on a page", 1, "page_media"),
   part("read aloud", 4, "reading"),
+  part("six languages besides English, of which an element loads its own", 12, "texts_*"),
   part("reads PDF", 1650, "pdf pdf.*.min.mjs cmaps jbig2.wasm openjpeg.wasm Foxit*.pfb"),
   part(
     "reads other formats",
@@ -55,8 +56,8 @@ const apart = [
   entry("models", 195),
   entry("keyframes", 8),
   entry("leaf-stage", 19),
-  entry("page-flip", 4),
-  entry("page-flip.browser", 4),
+  entry("page-flip", 5),
+  entry("page-flip.browser", 5),
   entry("react-pageflip", 2),
   entry("react", 2),
   entry("vue", 2),

@@ -539,7 +539,7 @@ export class TurnleafBook extends ReaderElement {
     this.#connected = true;
     this.connectReader();
     this.#updateControls();
-    void this.#speak();
+    void this.#speak(false);
     this.#children.observe(this, { childList: true });
     this.#reopen();
     // Pages that are still being parsed would come one by one.
@@ -576,7 +576,9 @@ export class TurnleafBook extends ReaderElement {
   }
 
   readonly #effects: AttributeEffects = {
-    speak: () => void this.#speak(),
+    speak: () => {
+      if (this.#connected) void this.#speak(true);
+    },
     open: () => {
       if (this.#input === null) this.#openAnew();
     },
@@ -710,9 +712,14 @@ export class TurnleafBook extends ReaderElement {
     this.#tree.say(text, "status", this.#life.book !== null);
   }
 
-  /** Says what is said now in the element's language, once that is loaded. */
-  async #speak(): Promise<void> {
-    await loadLanguage(languageOf(this));
+  /**
+   * Says what is said now in the element's language, once that is loaded.
+   *
+   * @param isOther whether another has been spoken
+   */
+  async #speak(isOther: boolean): Promise<void> {
+    const isNew = await loadLanguage(languageOf(this));
+    if (!isNew && !isOther) return;
     this.#sayStatus();
     this.#describe();
   }

@@ -97,7 +97,11 @@ export class PublishedSource implements PageSource {
     signal.throwIfAborted();
     const { pixels, failed } = this.#page(index);
     if (!pixels)
-      throw new BookError(failed ?? `Page ${index + 1} of ${this.title} has no picture.`);
+      throw new BookError(failed ?? `Page ${index + 1} of ${this.title} has no picture.`, {
+        code: "damaged",
+        page: index + 1,
+        source: this.title,
+      });
     const times = timesHalved(pixels, width / region.width);
     const [across, down] = halved(pixels, times);
     const address = `${pictureAddress(index, pixels, times, this.#book.format)}?v=${this.#version}`;
@@ -118,7 +122,10 @@ export class PublishedSource implements PageSource {
     if (!signal.aborted && !this.#closed) return bitmap;
     bitmap.close();
     signal.throwIfAborted();
-    throw new BookError(`${this.title} is closed; open it again.`);
+    throw new BookError(`${this.title} is closed; open it again.`, {
+      code: "closed",
+      source: this.title,
+    });
   }
 
   async text(index: number): Promise<readonly TextRun[]> {
@@ -169,7 +176,10 @@ export class PublishedSource implements PageSource {
   #page(index: number): SiteBook["pages"][number] {
     const page = this.#book.pages[index];
     if (page && !this.#closed) return page;
-    throw new BookError(`${this.title} has no page ${index + 1} any more; open it again.`);
+    throw new BookError(`${this.title} has no page ${index + 1} any more; open it again.`, {
+      code: "noPage",
+      source: this.title,
+    });
   }
 
   async #text(index: number): Promise<SiteText> {
@@ -190,11 +200,18 @@ export class PublishedSource implements PageSource {
     if (response?.ok) return await response.blob();
     throw new BookError(
       `A page of ${this.title} could not be loaded${response ? ` (status ${response.status})` : ""}; check the connection and turn back to it.`,
+      response
+        ? { code: "server", status: response.status, source: this.title }
+        : { code: "unreachable", source: this.title },
     );
   }
 
   #missing(index: number): BookError {
-    return new BookError(`Page ${index + 1} of ${this.title} is damaged on the server.`);
+    return new BookError(`Page ${index + 1} of ${this.title} is damaged on the server.`, {
+      code: "damaged",
+      page: index + 1,
+      source: this.title,
+    });
   }
 }
 
@@ -204,6 +221,7 @@ export async function openPublished(data: BookData): Promise<PublishedSource> {
   if (!response?.ok) {
     throw new BookError(
       `${data.title} could not be loaded; check the connection and load it again.`,
+      { code: "unreachable", source: data.title },
     );
   }
   return new PublishedSource(data, (await response.json()) as SiteBook);

@@ -90,7 +90,7 @@ test("a page that is not there: on the page and in the event, in the element's l
   await eventually(() => lines()).toContain("introuvable");
 });
 
-test("a language with texts missing shows the book, in English where it lacks them", async () => {
+test("a language with texts missing shows the book, in English where they are missing", async () => {
   addLanguage("nn", { pageNamed: "Side {label}" });
   addLanguage("nb", null as never);
   for (const lang of ["nn", "nb"]) {

@@ -55,6 +55,10 @@ export class BookPlace {
     book.style.cssText = "position: absolute; min-height: 0; margin: 0";
     this.wrapper.style.zIndex = String(settings.startZIndex);
     this.styleHost();
+    // A key that the book takes is not also one of the web page's that turns the book.
+    this.wrapper.addEventListener("keydown", (event) => {
+      if (event.defaultPrevented) event.stopPropagation();
+    });
     this.block.append(book);
     this.wrapper.append(this.block);
     host.prepend(this.wrapper);

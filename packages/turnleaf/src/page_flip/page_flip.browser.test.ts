@@ -3,76 +3,23 @@
  * things with the same options, and what it says of itself is compared.
  */
 
-import { PageFlip as Original } from "page-flip/dist/js/page-flip.module.js";
 import { afterEach, expect, test } from "vitest";
 import { clock } from "../for_tests/clock.ts";
 import { scan } from "../for_tests/element_books.ts";
 import { eventually } from "../for_tests/eventually.ts";
-import { type FlipEvents, type FlipSetting, PageFlip } from "./index.ts";
+import {
+  type Book,
+  type BookClass,
+  classes,
+  hasRead,
+  htmlPages,
+  make,
+  opened,
+  pageSize,
+} from "../for_tests/page_flips.ts";
+import { type FlipSetting, PageFlip } from "./index.ts";
 
 afterEach(() => document.body.replaceChildren());
-
-/** The interface that both have. */
-type Book = PageFlip;
-type BookClass = new (host: HTMLElement, options: Partial<FlipSetting>) => Book;
-const classes: readonly [name: string, made: BookClass][] = [
-  ["page-flip", Original as unknown as BookClass],
-  ["turnleaf", PageFlip],
-];
-
-const events: readonly (keyof FlipEvents)[] = [
-  "flip",
-  "changeOrientation",
-  "changeState",
-  "init",
-  "update",
-];
-const pageSize = { width: 100, height: 150 };
-
-/** Returns elements as pages; the first and the last say that they are boards. */
-function htmlPages(count: number): HTMLElement[] {
-  return Array.from({ length: count }, (_, k) => {
-    const page = document.createElement("div");
-    page.className = "page";
-    page.textContent = `Page ${k + 1}`;
-    if (k === 0 || k === count - 1) page.dataset.density = "hard";
-    return page;
-  });
-}
-
-/** Makes a host of some style, with a book in it. */
-function make(made: BookClass, options: Partial<FlipSetting> = {}, style = "width: 400px") {
-  const around = document.createElement("div");
-  around.style.cssText = style;
-  const host = document.createElement("div");
-  around.append(host);
-  document.body.append(around);
-  const book = new made(host, { ...pageSize, flippingTime: 200, ...options });
-  const log: [name: string, data: unknown][] = [];
-  for (const name of events) book.on(name, ({ data }) => log.push([name, data]));
-  return { around, host, book, log };
-}
-
-/** Makes a book of HTML pages, and waits until it is open. */
-async function opened(
-  made: BookClass,
-  options: Partial<FlipSetting> = {},
-  style?: string,
-  count = 7,
-) {
-  const shown = make(made, options, style);
-  const pages = htmlPages(count);
-  shown.book.loadFromHTML(pages);
-  await eventually(() => shown.log.some(([name]) => name === "init")).toBe(true);
-  return { ...shown, pages };
-}
-
-/** Waits until the last state of a log is `read` again, after others. */
-const hasRead = (log: readonly [string, unknown][], from: number) =>
-  eventually(() => {
-    const states = log.slice(from).filter(([name]) => name === "changeState");
-    return states.at(-1)?.[1];
-  }).toBe("read");
 
 const state = (book: Book) => ({
   count: book.getPageCount(),

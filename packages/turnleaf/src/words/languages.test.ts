@@ -37,7 +37,7 @@ it("fills in texts, and writes numbers and lists as the language does", () => {
   expect([number("not a tag", 5), list("not a tag", ["a"])]).toEqual(["5", "a"]);
 });
 
-it("English stands in for texts that a language lacks, or has in another form", () => {
+it("English stands in for texts that are missing in a language, or of another form", () => {
   addLanguage("pt", { back: "Contracapa", opening: "Abrindo" });
   addLanguage("pt-BR", { opening: "Abrindo o livro", leave: 5, found: "x" } as unknown as Texts);
   const { back, opening, leave, missing } = elementTexts("pt-BR");

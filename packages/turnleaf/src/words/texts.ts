@@ -121,25 +121,41 @@ export interface ControlTexts {
  * `{status}` what its server responded.
  */
 export interface ErrorTexts {
+  /** Its server has nothing at the address. */
   readonly absent: string;
+  /** The browser did not start a script that it needs, or draws nothing of it. */
   readonly blocked: string;
+  /** It was closed before. */
   readonly closed: string;
+  /** Its shop protects it against copying. */
   readonly copyProtected: string;
+  /** It is damaged, or another kind of file than it seems. */
   readonly damaged: string;
+  /** Nothing is in it. */
   readonly empty: string;
   /** Unforeseen: `{detail}` is the English sentence. */
   readonly failed: string;
+  /** Its server does not let it be read. */
   readonly forbidden: string;
+  /** A chosen file is no longer there. */
   readonly gone: string;
+  /** A password protects it. */
   readonly locked: string;
   /** Something was given that cannot be used: `{detail}` is the English sentence. */
   readonly misused: string;
+  /** It has no such page. */
   readonly noPage: string;
+  /** A part of the viewer could not be loaded. */
   readonly partMissing: string;
+  /** Its server failed otherwise. */
   readonly server: string;
+  /** It cannot be read aloud. */
   readonly silent: string;
+  /** It is larger, or has more in it, than can be shown. */
   readonly tooLarge: string;
+  /** Its server cannot be reached, or does not let this page read it. */
   readonly unreachable: string;
+  /** Its format cannot be read. */
   readonly unsupported: string;
   /** In place of `{source}` if that is unknown. */
   readonly thisBook: string;

@@ -66,7 +66,7 @@ export const texts: Texts = {
   narrow: "ضيّقة",
   usual: "عادية",
   wide: "واسعة",
-  sepia: "بنّي داكن",
+  sepia: "سيبيا",
   night: "ليلي",
   noContents: "ليس لهذا الكتاب قائمة محتويات.",
   noBookmarks: "لا توجد إشارات مرجعية بعد.",
