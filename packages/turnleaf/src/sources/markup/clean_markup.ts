@@ -10,7 +10,7 @@ import {
   mediumKindAttribute,
   styleAttribute,
 } from "../typeset/flow_book.ts";
-import { cleanCss, cleanDeclarations, joinSheets } from "./clean_css.ts";
+import { cleanAttribute, cleanCss, cleanDeclarations, joinSheets } from "./clean_css.ts";
 import { framePicture, frameSize } from "./frame_picture.ts";
 import { withoutPrefixes } from "./prefixed_css.ts";
 
@@ -75,6 +75,11 @@ export async function cleanMarkup(
     if (language !== null && !element.hasAttribute("lang")) element.setAttribute("lang", language);
     element.removeAttribute("style");
     if (element.hasAttribute(styleAttribute)) await cleanStyle(element, files);
+    for (const attribute of [...element.attributes]) {
+      const clean = await cleanAttribute(attribute, (to) => files.data(to));
+      if (clean === null) element.removeAttributeNode(attribute);
+      else if (clean !== attribute.value) attribute.value = clean;
+    }
   }
   purify.sanitize(root, {
     IN_PLACE: true,
@@ -83,6 +88,8 @@ export async function cleanMarkup(
     ADD_ATTR: ["epub:type", "role", "xml:lang", "xlink:href"],
     HTML_INTEGRATION_POINTS: { "annotation-xml": true, foreignobject: true },
     FORBID_TAGS: ["style", "title"],
+    // Addresses of pictures that are not looked up.
+    FORBID_ATTR: ["background", "poster", "srcset"],
     SANITIZE_DOM: false,
     ...(trustPolicy() ? { TRUSTED_TYPES_POLICY: trustPolicy() as never } : {}),
   });
