@@ -253,6 +253,17 @@ describe("a hostile collection", () => {
     ]);
   });
 
+  it("of 300,000 that are listed again ends in a bounded number of sentences", async () => {
+    const again = { type: "Collection", id: `${base}again.json`, label: { en: ["Again"] } };
+    const items = [...Array.from({ length: 300_000 }, () => again), { type: "Manifest", id: "a" }];
+    responses.set("/again.json", json({ ...(collection(items) as object), id: again.id }));
+    const served = await serve(`${base}again.json`);
+    const lines = served.stderr().trimEnd().split("\n");
+    expect(lines).toHaveLength(101);
+    expect(lines[99]).toBe("Again is listed again; it is left out there.");
+    expect(lines[100]).toBe("299900 more sentences like these are not shown.");
+  });
+
   it("whose collections lead ever on is followed for a bounded number of them", async () => {
     let count = 0;
     const next = async (): Promise<unknown> => {

@@ -272,6 +272,18 @@ describe("others", () => {
     expect(place).toEqual(turned(json.frames[2]?.slice(39, 42) ?? []).map((value) => value || 0));
   });
 
+  it.each([
+    ["--out", "a\nf 1 2 3.obj"],
+    ["--front", "a\rb.png"],
+    ["--back", "a\\"],
+  ])("OBJ has no %s whose name is another line", async (option, name) => {
+    const out = option === "--out" ? [] : ["--out", at("named.obj")];
+    const ended = await run("bake", ...options, ...out, option, at(name));
+    expect(ended.status).toBe(2);
+    expect(ended.stderr).toMatch(/^The files of an \.obj name each other; [^\n]*\n/);
+    expect(readdirSync(folder.path).filter((one) => /^(named|a\n)/.test(one))).toEqual([]);
+  });
+
   it("OBJ of a fold: its points once, its vertices by their sides", async () => {
     const args = [...dogEar, "--fps", "10", "--points", "14x20"];
     const ended = await run("bake", ...options, ...args, "--out", at("ear.obj"));

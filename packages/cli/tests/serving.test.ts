@@ -5,7 +5,16 @@ import { type AddressInfo, connect } from "node:net";
 import { join } from "node:path";
 import { afterAll, beforeAll, describe, expect, it } from "vitest";
 import { jpegHead, pdf, png } from "./books.ts";
-import { ask, folderOf, type Reply, run, type Started, start } from "./command.ts";
+import {
+  ask,
+  folderOf,
+  type Reply,
+  run,
+  runWithChromium,
+  type Started,
+  signalOnce,
+  start,
+} from "./command.ts";
 
 const book = pdf(3, "A Small Book", 300_000);
 
@@ -293,6 +302,29 @@ describe("a command that serves", () => {
       folder.remove();
     },
   );
+
+  it.each(["SIGINT", "SIGTERM"] as const)("ends at %s, however busy it is", async (signal) => {
+    const folder = folderOf({
+      "book.txt": "Call me Ishmael.",
+      // Looks at its first words for ever.
+      "busy.cjs":
+        'String.prototype.trimStart = () => { require("fs").writeSync(2, "busy"); for (;;); };',
+    });
+    const options = { NODE_OPTIONS: `--require=${join(folder.path, "busy.cjs")}` };
+    let said = "";
+    const ended = await runWithChromium(
+      ["read", join(folder.path, "book.txt"), "--no-open"],
+      (child) => {
+        child.stderr?.on("data", (data) => {
+          said += data;
+        });
+        signalOnce(child, () => said.includes("busy"), signal);
+      },
+      options,
+    );
+    expect(ended).toMatchObject({ status: null, signal, stdout: "" });
+    folder.remove();
+  });
 
   it("says when its port is taken, and takes another when it may", async () => {
     const folder = folderOf({ "1.png": png(3, 4) });

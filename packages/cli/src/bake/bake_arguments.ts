@@ -1,4 +1,4 @@
-import { extname } from "node:path";
+import { basename, extname } from "node:path";
 import { models } from "turnleaf/keyframes";
 import type { LeafCrease, LeafStockName, Model } from "turnleaf/models";
 import { oneOf, parseNumber, parseOptions, parseSize } from "../options.ts";
@@ -96,6 +96,13 @@ export function parseBake(args: readonly string[]): BakeCommand {
   const points = parseSize("points", values.points ?? "26x26", 2, 200);
   if ((values.front || values.back) && format !== "glb" && format !== "obj") {
     throw new UsageProblem("--front and --back are for .glb and .obj.");
+  }
+  // Its files name each other by lines, in which nothing can be escaped.
+  const named = format === "obj" ? [basename(out), values.front, values.back] : [];
+  if (named.some((name) => name && /[\p{Cc}\u2028\u2029]|\\$/u.test(name))) {
+    throw new UsageProblem(
+      "The files of an .obj name each other; no name may have a line break or end with \\.",
+    );
   }
   const creases = (lists.crease ?? []).map(parseCrease);
   const model = oneOf("model", values.model ?? "sheet", models);

@@ -8,6 +8,7 @@ import { findChromium } from "../chromium/find_chromium.ts";
 import { fileProblem, Problem, printable } from "../problem.ts";
 import { Progress } from "../progress.ts";
 import { type Serving, serve } from "../server.ts";
+import { Warnings } from "../warnings.ts";
 import { encodeFilm, findFfmpeg } from "./encode.ts";
 import type { FilmAction } from "./film_actions.ts";
 import type { FilmCommand } from "./film_arguments.ts";
@@ -31,7 +32,9 @@ export async function film(command: FilmCommand, signal: AbortSignal): Promise<v
   const ffmpeg = format === "png" ? null : findFfmpeg();
   const chromium = findChromium(command.chromium);
   await requireFolder(out);
-  const book = await openBook(path, (sentence) => console.error(sentence));
+  const warnings = new Warnings();
+  const book = await openBook(path, warnings.add);
+  warnings.end();
   const request = await nameOf(command, book);
   const folder = ffmpeg ? `${out}.frames` : out;
   const frames = await Frames.open(folder, { request, fps, width, height }, ffmpeg !== null);

@@ -7,6 +7,7 @@ import { type BookName, booksAt, openBook, openImages, type ServedBook } from ".
 import { isJson, sniffLength } from "../file_types.ts";
 import { fileProblem, Problem, printable } from "../problem.ts";
 import { Progress } from "../progress.ts";
+import { Warnings } from "../warnings.ts";
 import { type Fetched, fetchAddress, isAddress } from "./fetch_address.ts";
 import { iiifBooks } from "./iiif_books.ts";
 
@@ -28,6 +29,7 @@ const atOnce = 4;
 export class NamedBooks {
   readonly #signal: AbortSignal;
   readonly #progress = new Progress();
+  readonly #warnings = new Warnings();
   #folder: Promise<string> | null = null;
   #count = 0;
 
@@ -60,6 +62,7 @@ export class NamedBooks {
     const failed = found.filter((result) => result instanceof Problem);
     if (all.length === 1 && failed[0]) throw failed[0];
     for (const problem of failed) this.#warn(`${problem.message} It is left out.`);
+    this.#warnings.end();
     const books = found.flatMap((result) => (result instanceof Problem ? [] : result));
     if (books.length > 0) return books;
     throw new Problem("None of these books can be read.");
@@ -145,7 +148,7 @@ export class NamedBooks {
 
   #warn(sentence: string): void {
     this.#progress.clear();
-    console.error(sentence);
+    this.#warnings.add(sentence);
   }
 }
 

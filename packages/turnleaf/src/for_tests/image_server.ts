@@ -28,7 +28,8 @@ export function serve(
   vi.spyOn(globalThis, "fetch").mockImplementation(async (input) => {
     const path = String(input).slice(server.length + 1);
     asked.push(path);
-    if (path in files) return new Response(JSON.stringify(files[path]));
+    const file = files[path];
+    if (file) return new Response(file instanceof Blob ? file : JSON.stringify(file));
     const [name = "", region = "", size = ""] = path.split("/");
     const image = images[name];
     if (!image) return new Response("", { status: 404 });

@@ -440,6 +440,20 @@ test("an image without a service, and one whose service is gone, are shown", asy
   expect(asked).not.toContain("a/info.json");
 });
 
+test("a service that responds by a page to log in at fails that page alone, in a sentence", async () => {
+  const alone = canvas3("b", {}, { id: undefined });
+  const page = new Blob(["<!doctype html><title>Log in</title>"]);
+  const { source } = await open(
+    manifest3([canvas3("a"), alone]),
+    { a: image },
+    { "b/info.json": page },
+  );
+  expect(await messageOf(source.draw(1, 40, never))).toBe(
+    "Page 2 of m.json is described by no image; try again later.",
+  );
+  expect(await colours(source, 0)).toEqual(whole);
+});
+
 test.each([
   [
     "1.1",

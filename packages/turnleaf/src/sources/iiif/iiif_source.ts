@@ -170,7 +170,7 @@ class IiifSource implements PageSource {
     if (known) return known;
     try {
       const blob = await this.#fetch(index, `${service}/info.json`, limits.manifestBytes, signal);
-      const info = parseInfo(JSON.parse(await blob.text()), service);
+      const info = parseInfo(jsonIn(await blob.text()), service);
       if (info) this.#infos.set(service, info);
       if (info || image.src) return info;
     } catch (error) {
@@ -372,4 +372,13 @@ function inPixels(
   const down = (y: number): number => Math.round(((y - box.y) / box.height) * picture.height);
   const [x, y] = [across(part.x), down(part.y)];
   return [x, y, across(part.x + part.width) - x, down(part.y + part.height) - y];
+}
+
+/** Returns what JSON says; undefined if a text is none, as a page to log in at is. */
+function jsonIn(text: string): unknown {
+  try {
+    return JSON.parse(text);
+  } catch {
+    return undefined;
+  }
 }

@@ -97,6 +97,29 @@ export async function cleanDeclarations(
   return kept.join(" ");
 }
 
+/** Declarations without a document, by which the browser parses values. */
+const [probe] = (() => {
+  const sheet = new CSSStyleSheet();
+  sheet.insertRule("x {}");
+  return [...sheet.cssRules] as [CSSStyleRule];
+})();
+
+/**
+ * Returns the value of an attribute, cleaned alike, where the attribute is a property of CSS, as those that
+ * present drawings are; null if it would load anything else. Any other attribute stays.
+ */
+export async function cleanAttribute(
+  { name, value }: Attr,
+  resolve: ResolveCss,
+): Promise<string | null> {
+  const mayLoad = loading.test(value) || value.includes("\\");
+  if (!mayLoad || !CSS.supports(name, "inherit")) return value;
+  probe.style.setProperty(name, value);
+  const parsed = probe.style.getPropertyValue(name);
+  probe.style.removeProperty(name);
+  return parsed === "" ? null : await cleanValue(parsed, resolve);
+}
+
 async function cleanRules(rules: CSSRuleList, resolve: ResolveCss): Promise<string> {
   const kept: string[] = [];
   for (const rule of rules) kept.push(await cleanRule(rule, resolve));

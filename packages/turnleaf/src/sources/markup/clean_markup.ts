@@ -12,6 +12,7 @@ import {
 } from "../typeset/flow_book.ts";
 import {
   type CleanSheet,
+  cleanAttribute,
   cleanCss,
   cleanDeclarations,
   cssOf,
@@ -88,10 +89,14 @@ export async function cleanMarkup(
     const language = element.getAttribute("xml:lang");
     if (language !== null && !element.hasAttribute("lang")) element.setAttribute("lang", language);
     element.removeAttribute("style");
-    for (const attribute of [...element.attributes]) {
-      if (!isXmlAttribute(attribute)) element.removeAttributeNode(attribute);
-    }
     if (element.hasAttribute(styleAttribute)) await cleanStyle(element, files);
+    for (const attribute of [...element.attributes]) {
+      const clean = isXmlAttribute(attribute)
+        ? await cleanAttribute(attribute, (to) => files.data(to))
+        : null;
+      if (clean === null) element.removeAttributeNode(attribute);
+      else if (clean !== attribute.value) attribute.value = clean;
+    }
   }
   purify.sanitize(root, {
     IN_PLACE: true,
@@ -100,6 +105,8 @@ export async function cleanMarkup(
     ADD_ATTR: ["epub:type", "role", "xml:lang", "xlink:href"],
     HTML_INTEGRATION_POINTS: { "annotation-xml": true, foreignobject: true },
     FORBID_TAGS: ["style", "title"],
+    // Addresses of pictures that are not looked up.
+    FORBID_ATTR: ["background", "poster", "srcset"],
     SANITIZE_DOM: false,
     ...(trustPolicy() ? { TRUSTED_TYPES_POLICY: trustPolicy() as never } : {}),
   });

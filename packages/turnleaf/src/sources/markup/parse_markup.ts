@@ -12,12 +12,34 @@ export type MarkupType =
 const ownStyle = /(<[a-z][^<>]*?\s)style(?=\s*=)/gi;
 
 /**
- * Returns markup as a document in which nothing runs and nothing is loaded. The
- * elements' own styles are in `styleAttribute`.
+ * Returns markup as a document in which nothing runs and nothing is loaded, and no element stands for a
+ * member of it. The elements' own styles are in `styleAttribute`.
  */
 export function parseMarkup(text: string, type: MarkupType): Document {
   const markup = text.replace(ownStyle, `$1${styleAttribute}`);
-  return new DOMParser().parseFromString(trustedMarkup(markup), type);
+  const document = new DOMParser().parseFromString(trustedMarkup(markup), type);
+  removeClobberingNames(document);
+  return document;
+}
+
+/** Elements that are properties of their form or document, by their `id` or `name`. */
+const namedElements =
+  "button, embed, fieldset, form, iframe, img, input, object, output, select, textarea";
+
+/**
+ * Removes names that would replace a member of a form or a document, as `<input name="attributes">` does.
+ * The members used here are those of prototypes, as the document's own may be replaced.
+ */
+function removeClobberingNames(document: Document): void {
+  const { getAttribute, removeAttribute } = Element.prototype;
+  for (const element of Document.prototype.querySelectorAll.call(document, namedElements)) {
+    for (const attribute of ["id", "name"]) {
+      const name = getAttribute.call(element, attribute);
+      if (name === null) continue;
+      const isMember = name in Document.prototype || name in HTMLFormElement.prototype;
+      if (isMember) removeAttribute.call(element, attribute);
+    }
+  }
 }
 
 /** Returns where XML could not be parsed, which the browser then explains in it; null if it could be. */
