@@ -159,7 +159,7 @@ export class ImageSource implements PageSource {
       if (part === null) return await createImageBitmap(image, options);
       if (isSvg(image)) {
         const { drawSvg } = await loadPart(import("./svg.ts"));
-        return await drawSvg(image, part, pixels);
+        return await drawSvg(image, part, pixels, this.#place(index));
       }
       return await createImageBitmap(image, part.x, part.y, part.width, part.height, options);
     } catch (error) {
