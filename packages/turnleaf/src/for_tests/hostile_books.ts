@@ -117,6 +117,10 @@ const chapters: Readonly<Record<string, readonly [css: string, body: string]>> =
     "div { display: grid; grid-template-columns: repeat(3000000, 1px); }",
     "<div><p>a</p></div>",
   ],
+  "a grid of millions of rows by variables": [
+    "html { --a: 3000000; --b: var(--a); } div { display: grid; } p { grid-row-start: var(--b); }",
+    "<div><p>a</p></div>",
+  ],
   "rules that look for descendants": [
     times(300, (k) => `*:has(.a${k} ~ .b) { color: red; }`),
     "<div><p>a</p></div>".repeat(20_000),

@@ -4,9 +4,9 @@
  * billions of elements, and layers and pictures of any number of pixels.
  */
 
-import { claimedSize, typedImage } from "./image_header.ts";
+import { claimedSize } from "./image_header.ts";
 import { limits } from "./limits.ts";
-import { dataBytes, isKnownPicture } from "./markup/data_address.ts";
+import { dataPicture } from "./markup/data_address.ts";
 import { errorIn, parseMarkup } from "./markup/parse_markup.ts";
 import { BookError } from "./page_source.ts";
 import { pixelsAttribute, styleAttribute } from "./typeset/flow_book.ts";
@@ -25,10 +25,10 @@ const deepestLayers = 16;
 const deepestPictures = 4;
 
 /**
- * Steps in which elements are compared with selectors, some ten nanoseconds
+ * Steps in which elements are compared with selectors, some five nanoseconds
  * each; and siblings that one is compared with, as a longer chapter is divided.
  */
-const mostSteps = 400_000_000;
+const mostSteps = 1_000_000_000;
 const mostSiblings = 4000;
 
 /** Characters of a value: 200 shadows, which books have at most. And those of all text that style adds to a chapter. */
@@ -43,6 +43,8 @@ interface Cost {
   readonly elements: number;
   /** Layers within each other. */
   readonly layers: number;
+  /** Whether any of it is clipped: a clip that is takes a layer, others do not. */
+  readonly isClipped: boolean;
 }
 
 /** What is counted of a picture. */
@@ -50,12 +52,15 @@ interface PictureCost extends Cost {
   readonly pixels: number;
 }
 
-const nothing: Cost = { elements: 0, layers: 0 };
+const nothing: Cost = { elements: 0, layers: 0, isClipped: false };
 const noPicture: PictureCost = { ...nothing, pixels: 0 };
 
 /** Declarations for which an element and what is in it are drawn on a layer of their own. */
 const layered =
-  /(?:^|[\s;])(?:-webkit-)?(?:opacity|mask|mask-image|filter|backdrop-filter|mix-blend-mode|clip-path|isolation)\s*:\s*(?!none|auto|normal|1\b)/;
+  /(?:^|[\s;])(?:-webkit-)?(?:opacity|mask|mask-image|filter|backdrop-filter|mix-blend-mode|isolation)\s*:\s*(?!none|auto|normal|1\b)/;
+
+/** A variable of CSS, where it is used. */
+const variable = /var\(\s*(--[^\s,)]+)/g;
 
 /** Pseudo-elements, whose rules are about the elements that have them. */
 const pseudoElement = /::?(before|after|marker|first-line|first-letter)\b/g;
@@ -127,11 +132,12 @@ class Count {
     if (length > limits.elements) this.#refuse(`it has ${length} elements`);
     this.#checkStyle();
     const pixels = await this.#checkPictures();
-    const { elements, layers } = this.#total();
+    const cost = this.#total();
+    const { elements, layers } = cost;
     const most = Math.min(length + addedEach * length + addedBesides, limits.elements);
     if (!(elements <= most)) this.#refuse("its elements stand for too many others");
     if (!(layers <= deepestLayers)) this.#refuse("too many of its layers are within each other");
-    return { elements, layers, pixels };
+    return { ...cost, pixels };
   }
 
   #refuse(what: string): never {
@@ -145,7 +151,7 @@ class Count {
       return this.#cost(this.#root);
     } catch (error) {
       // A chain of references that is longer than the stack.
-      if (error instanceof RangeError) return { elements: Number.POSITIVE_INFINITY, layers: 0 };
+      if (error instanceof RangeError) return { ...nothing, elements: Number.POSITIVE_INFINITY };
       throw error;
     }
   }
@@ -157,9 +163,11 @@ class Count {
     this.#costs.set(element, null);
     let elements = spanOf(element);
     let layers = 0;
+    let isClipped = false;
     const add = (cost: Cost, times = 1): void => {
       elements += times * cost.elements;
       layers = Math.max(layers, cost.layers);
+      isClipped ||= cost.isClipped;
     };
     for (const child of element.children) add(this.#cost(child));
     add(this.#pictures.get(pictureOf(element)) ?? nothing);
@@ -169,10 +177,13 @@ class Count {
     for (const [, href, id] of text.matchAll(ownAddress)) {
       const target = this.#byId.get(href ?? id ?? "");
       if (!target) continue;
-      isLayer ||= target.localName === "pattern";
-      add(this.#cost(target), target.localName === "marker" ? cornersOf(element) : 1);
+      const { localName } = target;
+      const cost = this.#cost(target);
+      isLayer ||= localName === "pattern" || (localName === "clipPath" && cost.isClipped);
+      add(cost, localName === "marker" ? cornersOf(element) : 1);
     }
-    const cost = { elements, layers: layers + (isLayer ? 1 : 0) };
+    isClipped ||= /clip-path\s*:/.test(text);
+    const cost = { elements, layers: layers + (isLayer ? 1 : 0), isClipped };
     this.#costs.set(element, cost);
     return cost;
   }
@@ -185,8 +196,8 @@ class Count {
     let generated = 0;
     for (const { selectorText, style } of rules) {
       const added = values.lengthOf(style.getPropertyValue("content"));
-      for (const name of style) this.#checkValue(name, style.getPropertyValue(name), values);
       const text = style.cssText.replace(dataAddress, "");
+      this.#checkDeclarations(text, values);
       const isDrawn = layered.test(text) || text.includes("url(");
       if (added <= mostGenerated / limits.elements && !isDrawn) continue;
       const matched = this.#matching(selectorText);
@@ -198,11 +209,15 @@ class Count {
       }
     }
     for (const element of this.#elements) {
-      for (const declaration of ownStyle(element).replace(dataAddress, "").split(";")) {
-        const at = declaration.indexOf(":");
-        if (at < 0) continue;
-        this.#checkValue(declaration.slice(0, at).trim(), declaration.slice(at + 1), values);
-      }
+      this.#checkDeclarations(ownStyle(element).replace(dataAddress, ""), values);
+    }
+  }
+
+  #checkDeclarations(text: string, values: Values): void {
+    for (const declaration of text.split(";")) {
+      const at = declaration.indexOf(":");
+      if (at < 0) continue;
+      this.#checkValue(declaration.slice(0, at).trim(), declaration.slice(at + 1), values);
     }
   }
 
@@ -211,8 +226,8 @@ class Count {
     if (name === "content" || name.startsWith("--")) return;
     const length = values.lengthOf(value);
     if (length > longestValue) this.#refuse(`its style has a ${name} of ${length} characters`);
-    if (!/^(grid|column)/.test(name)) return;
-    const numbers = `${value} ${value.includes("var(") ? values.custom : ""}`.match(/\d+/g) ?? [];
+    if (!/^(grid|column-count$)/.test(name)) return;
+    const numbers = `${value} ${values.namedIn(value)}`.match(/(?<![\w.#])\d+/g) ?? [];
     if (numbers.some((count) => Number(count) > mostTracks)) {
       this.#refuse("its style has a grid of too many columns or rows");
     }
@@ -283,17 +298,17 @@ class Count {
   }
 
   async #costOf(address: string, isPicture: boolean): Promise<PictureCost> {
-    const bytes = dataBytes(address);
-    if (!bytes?.length) return noPicture;
-    const image = await typedImage(new Blob([bytes]));
+    // One of no data is none.
+    if (address.endsWith(",")) return noPicture;
+    const image = await dataPicture(address);
+    if (image === null) {
+      if (isPicture) this.#refuse("it has a picture of an unknown kind");
+      return noPicture;
+    }
     if (image.type === "image/svg+xml") {
       const depth = (this.#depth ?? -1) + 1;
       if (depth > deepestPictures) this.#refuse("too many pictures are within each other");
       return await costOfSvg(await image.text(), this.#name, depth);
-    }
-    if (!isKnownPicture(image)) {
-      if (isPicture) this.#refuse("it has a picture of an unknown kind");
-      return noPicture;
     }
     const size = await claimedSize(image);
     return { ...noPicture, pixels: size ? size.width * size.height : 0 };
@@ -302,8 +317,6 @@ class Count {
 
 /** The values of style sheets, with what they put in by name. */
 class Values {
-  /** What variables are set to, all of it. */
-  readonly custom: string;
   readonly #custom = new Map<string, string[]>();
   readonly #lengths = new Map<string, number>();
   readonly #longestAttribute: number;
@@ -316,7 +329,6 @@ class Values {
         this.#custom.set(name, [...(this.#custom.get(name) ?? []), style.getPropertyValue(name)]);
       }
     }
-    this.custom = [...this.#custom.values()].flat().join(" ");
     let longest = 0;
     for (const { attributes } of elements) {
       for (const { name, value } of attributes) {
@@ -330,9 +342,22 @@ class Values {
   lengthOf(value: string): number {
     const text = value.replace(dataAddress, "");
     let { length } = text;
-    for (const [, name] of text.matchAll(/var\(\s*(--[^\s,)]+)/g))
-      length += this.#expanded(name ?? "");
+    for (const [, name] of text.matchAll(variable)) length += this.#expanded(name ?? "");
     return length + (text.split("attr(").length - 1) * this.#longestAttribute;
+  }
+
+  /** Returns all that the variables in a value may be, and those in these, in any order. */
+  namedIn(value: string): string {
+    const names = new Set<string>();
+    const add = (text: string): void => {
+      for (const [, name = ""] of text.matchAll(variable)) {
+        if (names.has(name)) continue;
+        names.add(name);
+        this.#custom.get(name)?.forEach(add);
+      }
+    };
+    add(value);
+    return [...names].flatMap((name) => this.#custom.get(name) ?? []).join(" ");
   }
 
   #expanded(name: string): number {

@@ -6,10 +6,8 @@ import { limits } from "../limits.ts";
 /** Bytes in which a picture's size is searched for. */
 const headLength = 1 << 20;
 
-/** Returns whether a picture with a type is of a kind whose size is known before it is decoded. */
-export function isKnownPicture({ type }: Blob): boolean {
-  return /^image\/(png|jpeg|gif|webp|avif|svg\+xml)$/.test(type);
-}
+/** Kinds of pictures whose sizes are known before they are decoded. */
+const knownKind = /^image\/(png|jpeg|gif|webp|avif|svg\+xml)$/;
 
 /**
  * Returns an address of data if it is a font, or a picture of a known kind that is
@@ -17,16 +15,28 @@ export function isKnownPicture({ type }: Blob): boolean {
  */
 export async function checkedData(address: string): Promise<string | null> {
   if (/^data:font\//i.test(address)) return address;
-  const head = /^data:image\//i.test(address) ? dataBytes(address, headLength) : null;
-  if (head === null) return null;
-  const image = await typedImage(new Blob([head]));
-  if (!isKnownPicture(image)) return null;
+  const isPicture = /^data:image\//i.test(address);
+  const image = isPicture ? await dataPicture(address, headLength) : null;
+  if (image === null) return null;
   const size = await claimedSize(image);
   return size && size.width * size.height > limits.imagePixels ? null : address;
 }
 
+/**
+ * Returns the first bytes of a picture, of the kind that they are, as the browser has it;
+ * null if that is none whose size would be known.
+ */
+export async function dataPicture(address: string, most?: number): Promise<Blob | null> {
+  const bytes = dataBytes(address, most);
+  if (bytes === null) return null;
+  // What calls itself a drawing is read as one, whatever it begins with.
+  const type = /^\s*data:image\/svg\+xml\s*[;,]/i.test(address) ? "image/svg+xml" : "";
+  const image = await typedImage(new Blob([bytes], { type }));
+  return knownKind.test(image.type) ? image : null;
+}
+
 /** Returns the first bytes of an address of data; null if they cannot be read. */
-export function dataBytes(
+function dataBytes(
   address: string,
   most: number = Number.POSITIVE_INFINITY,
 ): Uint8Array<ArrayBuffer> | null {
