@@ -48,8 +48,8 @@ const apart = [
   part("reads PDF", 1650, "pdf pdf.*.min.mjs cmaps jbig2.wasm openjpeg.wasm Foxit*.pfb"),
   part(
     "reads other formats",
-    202,
-    "clean_markup comic data_address data_url epub fb2 font_type html_pages iiif_source kindle media_overlays names package_document parse_markup svg text_book unpacked_archive unpacker unpacker_worker.ts writing_direction xml_text zip",
+    206,
+    "budget clean_markup comic data_url epub fb2 font_type html_pages iiif_source kindle media_overlays names package_document parse_markup svg text_book unpacked_archive unpacker unpacker_worker.ts writing_direction xml_text zip",
   ),
   entry("standalone", 156, "standalone_* three.module"),
   entry("links", 1),

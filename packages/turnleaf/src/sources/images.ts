@@ -168,7 +168,7 @@ export class ImageSource implements PageSource {
     try {
       if (part !== null && isSvg(image)) {
         const { drawSvg } = await loadPart(import("./svg.ts"));
-        return await drawSvg(image, part, pixels);
+        return await drawSvg(image, part, pixels, this.#place(index));
       }
       return await drawn(image).catch(async () => await drawn(await shownImage(image)));
     } catch (error) {

@@ -4,6 +4,7 @@
  * a canvas in WebKit.
  */
 
+import { checkSvg } from "./budget.ts";
 import type { PageBox, PageSize } from "./page_source.ts";
 
 /** What the root's tag begins with. */
@@ -33,6 +34,9 @@ const units: Readonly<Record<string, number>> = {
   mm: 96 / 25.4,
   q: 96 / 101.6,
 };
+
+/** Images that were counted against the budget. */
+const checked = new WeakMap<Blob, Promise<void>>();
 
 /** Size of an image without any, as CSS defines. */
 const usualSize: PageSize = { width: 300, height: 150 };
@@ -87,10 +91,19 @@ export async function sizeOfSvg(image: Blob): Promise<PageSize> {
 
 /**
  * Draws a part of an SVG, in its own pixels, so that it has `pixels`. Rejects
- * if it is not an SVG, and if the page's policy does not allow images as data.
+ * if it is not an SVG, and if the page's policy does not allow images as data;
+ * with a `BookError` that begins with its `name` if it is beyond the budget.
  */
-export async function drawSvg(image: Blob, part: PageBox, pixels: PageSize): Promise<ImageBitmap> {
+export async function drawSvg(
+  image: Blob,
+  part: PageBox,
+  pixels: PageSize,
+  name: string,
+): Promise<ImageBitmap> {
   const { before, tag, after } = await read(image);
+  const checking = checked.get(image) ?? checkSvg(before + tag + after, name);
+  checked.set(image, checking);
+  await checking;
   const picture = new Image();
   picture.src = `data:image/svg+xml,${encodeURIComponent(before + sized(tag) + after)}`;
   await picture.decode();

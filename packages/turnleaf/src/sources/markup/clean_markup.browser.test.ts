@@ -6,7 +6,7 @@ import { type MarkupType, parseMarkup } from "./parse_markup.ts";
 
 const files: MarkupFiles = {
   data: async (address) => (address === "in.png" ? "data:image/png;base64,AA==" : null),
-  style: async () => "",
+  style: async () => [],
 };
 
 const types = ["text/html", "application/xhtml+xml"] as const;

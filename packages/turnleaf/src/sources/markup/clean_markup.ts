@@ -1,6 +1,7 @@
 /** Chapters of strangers, made harmless: what the markup of a page may be, and nothing else. */
 
 import createPurify from "dompurify";
+import { checkBudget } from "../budget.ts";
 import { limits } from "../limits.ts";
 import { BookError } from "../page_source.ts";
 import { trustPolicy } from "../trusted_script.ts";
@@ -58,7 +59,7 @@ purify.addHook("uponSanitizeAttribute", (element, attribute) => {
 
 /**
  * Returns a chapter as clean content. It is parsed already, and changed here.
- * Rejects with a `BookError` if it is too large.
+ * Rejects with a `BookError` if it is too large, or beyond the budget.
  *
  * @param name the chapter's name in sentences
  */
@@ -110,6 +111,7 @@ export async function cleanMarkup(
     SANITIZE_DOM: false,
     ...(trustPolicy() ? { TRUSTED_TYPES_POLICY: trustPolicy() as never } : {}),
   });
+  await checkBudget(root, styles, name);
   return { root, styles };
 }
 

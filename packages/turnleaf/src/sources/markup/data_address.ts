@@ -6,30 +6,60 @@ import { limits } from "../limits.ts";
 /** Bytes in which a picture's size is searched for. */
 const headLength = 1 << 20;
 
-/** Returns an address of data if it is a font, or a picture that is not too large; null otherwise. */
+/** Kinds of pictures whose sizes are known before they are decoded. */
+const knownKind = /^image\/(png|jpeg|gif|webp|avif|svg\+xml)$/;
+
+/**
+ * Returns an address of data if it is a font, or a picture of a known kind that is
+ * not too large; null otherwise.
+ */
 export async function checkedData(address: string): Promise<string | null> {
   if (/^data:font\//i.test(address)) return address;
-  const [, flags = "", data = ""] = /^data:(image\/[^,]*),([\s\S]*)$/i.exec(address) ?? [];
-  if (flags === "") return null;
+  const isPicture = /^data:image\//i.test(address);
+  const image = isPicture ? await dataPicture(address, headLength) : null;
+  if (image === null) return null;
+  const size = await claimedSize(image);
+  return size && size.width * size.height > limits.imagePixels ? null : address;
+}
+
+/**
+ * Returns the first bytes of a picture, of the kind that they are, as the browser has it;
+ * null if that is none whose size would be known.
+ */
+export async function dataPicture(address: string, most?: number): Promise<Blob | null> {
+  const bytes = dataBytes(address, most);
+  if (bytes === null) return null;
+  // What calls itself a drawing is read as one, whatever it begins with.
+  const type = /^\s*data:image\/svg\+xml\s*[;,]/i.test(address) ? "image/svg+xml" : "";
+  const image = await typedImage(new Blob([bytes], { type }));
+  return knownKind.test(image.type) ? image : null;
+}
+
+/** Returns the first bytes of an address of data; null if they cannot be read. */
+function dataBytes(
+  address: string,
+  most: number = Number.POSITIVE_INFINITY,
+): Uint8Array<ArrayBuffer> | null {
+  const comma = address.indexOf(",");
+  const data = address.slice(comma + 1);
   try {
-    const head = /;\s*base64\s*$/i.test(flags) ? fromBase64(data) : fromEscapes(data);
-    const size = await claimedSize(await typedImage(new Blob([head])));
-    return size && size.width * size.height > limits.imagePixels ? null : address;
+    const isBase64 = /;\s*base64\s*$/i.test(address.slice(0, comma));
+    return isBase64 ? fromBase64(data, most) : fromEscapes(data, most);
   } catch {
     return null;
   }
 }
 
-function fromBase64(data: string): Uint8Array<ArrayBuffer> {
-  const letters = decodeURIComponent(data.slice(0, 2 * headLength)).replace(/\s+/g, "");
+function fromBase64(data: string, most: number): Uint8Array<ArrayBuffer> {
+  const letters = decodeURIComponent(data.slice(0, 2 * most)).replace(/\s+/g, "");
   // Whole groups of four letters.
-  const head = atob(letters.slice(0, Math.min(letters.length & ~3, headLength)));
+  const head = atob(letters.length > most ? letters.slice(0, most & ~3) : letters);
   return Uint8Array.from(head, (letter) => letter.charCodeAt(0));
 }
 
-function fromEscapes(data: string): Uint8Array<ArrayBuffer> {
+function fromEscapes(data: string, most: number): Uint8Array<ArrayBuffer> {
   const bytes = data
-    .slice(0, headLength)
+    .slice(0, most)
     .replace(/%([0-9a-f]{2})/gi, (_, digits) => String.fromCharCode(Number.parseInt(digits, 16)));
   return Uint8Array.from(bytes, (letter) => letter.charCodeAt(0));
 }

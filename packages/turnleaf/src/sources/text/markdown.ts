@@ -1,6 +1,7 @@
 /** GitHub's Markdown, read in bounded time and depth. */
 
-import { Lexer, marked, Renderer, type Token, type Tokens } from "marked";
+import { Lexer, marked, Renderer, type Token, Tokenizer, type Tokens } from "marked";
+import { limits } from "../limits.ts";
 
 /** Lists and quotations within each other, as many as a page is wide; deeper ones are shown as their text. */
 const deepest = 8;
@@ -10,7 +11,8 @@ const longestMarked = 50_000;
 
 /** Returns Markdown as tokens. Throws a `RangeError` if its marks are nested too deeply. */
 export function readMarkdown(text: string): Token[] {
-  return new BoundedLexer({ ...marked.defaults, gfm: true }).lex(text);
+  const tokenizer = new BoundedTokenizer();
+  return new BoundedLexer({ ...marked.defaults, gfm: true, tokenizer }).lex(text);
 }
 
 /**
@@ -27,6 +29,17 @@ export function htmlOf(tokens: Token[], ids: ReadonlyMap<Token, string> = new Ma
     return `<h${depth}${own}>${this.parser.parseInline(tokens)}</h${depth}>\n`;
   };
   return marked.parser(tokens, { ...marked.defaults, renderer });
+}
+
+class BoundedTokenizer extends Tokenizer {
+  /** Reads a table: each of its rows has as many cells as its head, so that one of too many is text. */
+  override table(text: string): Tokens.Table | undefined {
+    const [head = "", line = ""] = text.split("\n", 2);
+    if (!head.includes("|") || !/^[ \t|:-]+$/.test(line)) return undefined;
+    const [rows = ""] = text.split("\n\n", 1);
+    const cells = head.split("|").length * rows.split("\n").length;
+    return cells > limits.elements ? undefined : super.table(text);
+  }
 }
 
 class BoundedLexer extends Lexer {

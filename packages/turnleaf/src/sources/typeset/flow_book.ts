@@ -35,6 +35,9 @@ export const styleAttribute = "data-turnleaf-style";
 export const mediumAttribute = "data-turnleaf-medium";
 export const mediumKindAttribute = "data-turnleaf-medium-kind";
 
+/** The attribute that says how many pixels an element's picture has. */
+export const pixelsAttribute = "data-turnleaf-pixels";
+
 /** Markup without scripts, and without any address but `data:`, fragments and those of links. */
 export interface FlowContent {
   /** An `<html>` element with a `<body>`, in a document of its own. */

@@ -346,7 +346,10 @@ function applyInlineStyles(html: HTMLElement): void {
 async function loadedIn({ document }: LayoutFrame, html: HTMLElement): Promise<void> {
   // Laid out once, it is known which fonts are used.
   html.getBoundingClientRect();
-  const images = [...html.querySelectorAll("img")].map((image) => image.decode().catch(() => {}));
+  // Not decoded: only those of a page that is drawn are.
+  const images = [...html.querySelectorAll("img")].map(
+    (image) => image.complete || new Promise((done) => (image.onload = image.onerror = done)),
+  );
   await Promise.all([document.fonts.ready, ...images]);
 }
 

@@ -1,14 +1,17 @@
 /** A section as markup, from which each page is drawn as an SVG of its own. */
 
+import { limits } from "../limits.ts";
 import { xmlOf } from "../markup/xml.ts";
 import type { PageSize } from "../page_source.ts";
+import { pixelsAttribute } from "./flow_book.ts";
 import { styleElements } from "./style_elements.ts";
 import { type PageFlow, pageOfRect } from "./text_map.ts";
 
 const xhtml = "http://www.w3.org/1999/xhtml";
 
-/** Data shorter than this stays in every page's markup, characters. */
+/** Data shorter than this, and pictures of fewer pixels, stay in every page's markup: characters. */
 const shortData = 1000;
+const fewPixels = 10_000;
 
 /** Data of a picture. */
 const pictureData = /(data:[^,:"<&]{0,200};base64,[\w+/=]*)/;
@@ -30,6 +33,7 @@ export interface MarkupStyle {
 /** A picture's data, and the pages on which it is seen. */
 interface Picture {
   readonly data: string;
+  readonly pixels: number;
   readonly isOn: (page: number) => boolean;
 }
 
@@ -57,24 +61,41 @@ export class Markup {
   svg(page: number, x: number, y: number): string {
     const { size, rem } = this.#style;
     const { width, height } = size;
+    const shown = this.#shownOn(page);
     const html = this.#parts
-      .map((part) => (typeof part === "string" ? part : part.isOn(page) ? part.data : clear))
+      .map((part) => (typeof part === "string" ? part : shown.has(part) ? part.data : clear))
       .join("");
     const box = `position: absolute; left: 0; top: 0; width: ${width}px; height: ${height}px`;
     return `<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${height}" viewBox="0 0 ${width} ${height}" style="font-size: ${rem}">${this.#styles}<rect width="${width}" height="${height}" fill="${this.#paper}"/><foreignObject width="${width}" height="${height}"><div xmlns="${xhtml}" style="position: relative; overflow: hidden; width: ${width}px; height: ${height}px"><div style="${box}; font-size: 16px; transform: translate(${x}px, ${y}px)">${html}</div></div></foreignObject></svg>`;
   }
+
+  /** Returns the pictures that are seen on a page, as many in order as have pixels that can be drawn. */
+  #shownOn(page: number): ReadonlySet<string | Picture> {
+    const shown = new Set<string | Picture>();
+    let left: number = limits.imagePixels;
+    for (const part of this.#parts) {
+      if (typeof part === "string" || shown.has(part) || !part.isOn(page)) continue;
+      left -= part.pixels;
+      if (left < 0) break;
+      shown.add(part);
+    }
+    return shown;
+  }
 }
 
-/** Returns a section's pictures with much data, and keeps their sizes without them. */
+/** Returns a section's pictures with much data or many pixels, and keeps their sizes without them. */
 function picturesOf(html: Element, flow: PageFlow, view: Window): Map<string, Picture> {
   const pages = new Map<string, (readonly [first: number, last: number])[]>();
+  const sizes = new Map<string, number>();
   const isDown = flow.stepY !== 0;
   const step = isDown ? flow.stepY : Math.abs(flow.stepX);
   const large = [...html.querySelectorAll<HTMLElement>("img, image")].flatMap((image) => {
     const data = image.getAttribute("src") ?? image.getAttribute("href") ?? "";
-    if (data.length < shortData || pictureData.exec(data)?.[0] !== data) return [];
+    const pixels = Number(image.getAttribute(pixelsAttribute) ?? 0);
+    const isSmall = data.length < shortData && pixels < fewPixels;
+    if (isSmall || pictureData.exec(data)?.[0] !== data) return [];
     const { width, height } = view.getComputedStyle(image);
-    return [{ image, data, width, height }];
+    return [{ image, data, pixels, width, height }];
   });
   // All are measured before any is changed: each change would have all laid out anew.
   for (const { image, width, height } of large) {
@@ -82,7 +103,8 @@ function picturesOf(html: Element, flow: PageFlow, view: Window): Map<string, Pi
     image.style.setProperty("width", width, "important");
     image.style.setProperty("height", height, "important");
   }
-  for (const { image, data } of large) {
+  for (const { image, data, pixels } of large) {
+    sizes.set(data, pixels);
     const ranges = pages.get(data) ?? [];
     pages.set(data, ranges);
     for (const rect of (image.closest("svg") ?? image).getClientRects()) {
@@ -95,7 +117,11 @@ function picturesOf(html: Element, flow: PageFlow, view: Window): Map<string, Pi
   return new Map(
     [...pages].map(([data, ranges]) => [
       data,
-      { data, isOn: (page) => ranges.some(([first, last]) => page >= first && page <= last) },
+      {
+        data,
+        pixels: sizes.get(data) ?? 0,
+        isOn: (page) => ranges.some(([first, last]) => page >= first && page <= last),
+      },
     ]),
   );
 }

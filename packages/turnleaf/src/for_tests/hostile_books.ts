@@ -1,0 +1,218 @@
+/**
+ * Books of few bytes that would take any time and memory, and long ones that are
+ * no attack: for tests that all of them are opened or refused.
+ */
+
+import { strToU8, zipSync } from "fflate";
+import { prose, tinyEpub } from "../sources/epub/tiny_epub.ts";
+
+const svgNamespace = 'xmlns="http://www.w3.org/2000/svg"';
+const svg = (content: string): string =>
+  `<svg ${svgNamespace} width="600" height="800" viewBox="0 0 600 800">${content}</svg>`;
+const times = (count: number, make: (k: number) => string): string =>
+  Array.from({ length: count }, (_, k) => make(k)).join("");
+const rect = '<rect width="600" height="800" fill="#070"/>';
+const escaped = (text: string): string => `data:image/svg+xml,${encodeURIComponent(text)}`;
+
+/** Returns groups, each of which shows the one before it ten times by `show`. */
+const tenfold = (levels: number, show: (id: string) => string): string =>
+  times(levels, (k) => `<g id="g${k + 1}">${show(`g${k}`).repeat(10)}</g>`);
+
+/** Returns levels of an element, each of which is drawn with the one before it. */
+const nested = (name: string, levels: number, more = ""): string =>
+  `<defs><${name} id="n0" ${more}>${rect}</${name}>${times(
+    levels,
+    (k) => `<${name} id="n${k + 1}" ${more}><g ${name}="url(#n${k})">${rect}</g></${name}>`,
+  )}</defs>`;
+
+/** Returns pictures within each other, of so many levels, each with so many of the next. */
+function pictures(levels: number, count: number): string {
+  let text = svg(rect);
+  for (let k = 0; k < levels; k++) {
+    const image = `<image id="i" href="${escaped(text)}" width="600" height="800"/>`;
+    text = svg(image + times(count, (j) => `<use href="#i" x="${j}"/>`));
+  }
+  return text;
+}
+
+/** Returns a bitmap (BMP) of one colour that is run-length encoded: a few bytes for any number of pixels. */
+function bitmap(width: number, height: number): string {
+  const view = new DataView(new ArrayBuffer(1081));
+  const [B, M] = [66, 77];
+  view.setUint8(0, B);
+  view.setUint8(1, M);
+  for (const [at, value] of [
+    ...[
+      [2, 1081],
+      [10, 1078],
+      [14, 40],
+      [18, width],
+      [22, height],
+    ],
+    ...[
+      [30, 1],
+      [34, 3],
+      [46, 256],
+    ],
+  ] as const) {
+    view.setUint32(at ?? 0, value ?? 0, true);
+  }
+  view.setUint16(26, 1, true);
+  view.setUint16(28, 8, true);
+  view.setUint8(1079, 1);
+  return `data:image/bmp;base64,${btoa(String.fromCharCode(...new Uint8Array(view.buffer)))}`;
+}
+
+/** Drawings that stand for more than can be drawn. */
+export const hostileDrawings: Readonly<Record<string, string>> = {
+  "use within use": svg(
+    `<defs><g id="g0">${rect}</g>${tenfold(9, (id) => `<use href="#${id}"/>`)}</defs><use href="#g9"/>`,
+  ),
+  "masks within masks": svg(`${nested("mask", 60)}<g mask="url(#n60)">${rect}</g>`),
+  "clips within clips": svg(
+    `<defs><clipPath id="c0"><rect width="9" height="9"/></clipPath>${times(
+      80,
+      (k) =>
+        `<clipPath id="c${k + 1}" clip-path="url(#c${k})">${`<rect width="600" height="800" clip-path="url(#c${k})"/>`.repeat(9)}</clipPath>`,
+    )}</defs><g clip-path="url(#c80)">${rect}</g>`,
+  ),
+  "patterns within patterns": svg(
+    `<defs><pattern id="p0" width="1" height="1">${rect}</pattern>${times(
+      60,
+      (k) =>
+        `<pattern id="p${k + 1}" width=".5" height=".5">${`<rect width="600" height="800" fill="url(#p${k})"/>`.repeat(4)}</pattern>`,
+    )}</defs><rect width="600" height="800" fill="url(#p60)"/>`,
+  ),
+  "markers within markers": svg(
+    `<defs><marker id="m0" markerWidth="9" markerHeight="9">${rect}</marker>${times(
+      9,
+      (k) =>
+        `<marker id="m${k + 1}" markerWidth="9" markerHeight="9"><path d="M${times(20, (j) => `${j} ${j} `)}" marker-mid="url(#m${k})"/></marker>`,
+    )}</defs><path d="M${times(20, (j) => `${j} ${j} `)}" marker-mid="url(#m9)"/>`,
+  ),
+  "filters within each other": svg(
+    `<filter id="f"><feGaussianBlur stdDeviation="90"/><feMorphology radius="90"/></filter>${'<g filter="url(#f)">'.repeat(200)}${rect}${"</g>".repeat(200)}`,
+  ),
+  "layers by style": svg(
+    `<style>g { opacity: 0.9; mix-blend-mode: multiply; }</style>${"<g>".repeat(250)}${rect}${"</g>".repeat(250)}`,
+  ),
+  "pictures within pictures": pictures(3, 60),
+  "a picture of an unknown kind": svg(
+    `<image href="${bitmap(22_000, 22_000)}" width="600" height="800"/>`,
+  ),
+};
+
+/** What a chapter of an EPUB may have in its style, and its body. */
+const chapters: Readonly<Record<string, readonly [css: string, body: string]>> = {
+  "long content": [`p::before { content: "${"word ".repeat(100_000)}"; }`, "<p>a</p>".repeat(1000)],
+  "content by variables": [
+    `html { --v0: "word word "; ${times(12, (k) => `--v${k + 1}: ${`var(--v${k}) `.repeat(8)};`)} } p::before { content: var(--v12); }`,
+    "<p>a</p>".repeat(1000),
+  ],
+  "thousands of shadows": [
+    `p { text-shadow: ${times(3000, (k) => `${k ? "," : ""}${k}px 1px 9px red`)}; }`,
+    "<p>Here.</p>".repeat(500),
+  ],
+  "a grid of millions of columns": [
+    "div { display: grid; grid-template-columns: repeat(3000000, 1px); }",
+    "<div><p>a</p></div>",
+  ],
+  "a grid of millions of rows by variables": [
+    "html { --a: 3000000; --b: var(--a); } div { display: grid; } p { grid-row-start: var(--b); }",
+    "<div><p>a</p></div>",
+  ],
+  "rules that look for descendants": [
+    times(300, (k) => `*:has(.a${k} ~ .b) { color: red; }`),
+    "<div><p>a</p></div>".repeat(20_000),
+  ],
+  "rules that look at siblings": [
+    times(500, (k) => `p ~ i ~ p:not(.a${k}) ~ b { color: red; }`),
+    "<p>a</p>".repeat(20_000),
+  ],
+};
+
+/** A book by its name, as a file. */
+export interface HostileBook {
+  readonly name: string;
+  readonly make: () => File;
+  /** Whether it has to be refused; it has to be opened otherwise. */
+  readonly isRefused: boolean;
+}
+
+const file = (parts: readonly (string | Uint8Array<ArrayBuffer>)[], name: string): File =>
+  new File([...parts], name);
+
+/** Returns an archive of drawings. */
+function comic(files: Readonly<Record<string, string>>): Uint8Array<ArrayBuffer> {
+  const bytes = Object.entries(files).map(([name, text]) => [name, strToU8(text)] as const);
+  return zipSync(Object.fromEntries(bytes)) as Uint8Array<ArrayBuffer>;
+}
+
+/** Returns all books. */
+export function hostileBooks(): readonly HostileBook[] {
+  const drawings = Object.entries(hostileDrawings).flatMap(([what, text]): HostileBook[] => {
+    const isRefused = !what.includes("unknown kind");
+    return [
+      { name: `an SVG: ${what}`, make: () => file([text], "a.svg"), isRefused: true },
+      {
+        name: `a comic: ${what}`,
+        make: () => file([comic({ "1.svg": text, "2.svg": svg(rect) })], "a.cbz"),
+        isRefused: true,
+      },
+      {
+        name: `an EPUB: ${what}`,
+        make: () => file([tinyEpub({ chapters: [text, "<p>Here.</p>"] })], "a.epub"),
+        isRefused,
+      },
+      {
+        name: `an EPUB's picture: ${what}`,
+        make: () => {
+          const chapter = '<p>Here.</p><img src="a.svg" alt=""/>';
+          return file([tinyEpub({ chapters: [chapter], files: { "a.svg": text } })], "a.epub");
+        },
+        isRefused: true,
+      },
+      {
+        name: `Markdown: ${what}`,
+        make: () => file([`Here.\n\n<div>${text}</div>\n`], "a.md"),
+        isRefused,
+      },
+    ];
+  });
+  const styles = Object.entries(chapters).map(
+    ([what, [css, body]]): HostileBook => ({
+      name: `an EPUB: ${what}`,
+      make: () => {
+        const chapter = `<html xmlns="http://www.w3.org/1999/xhtml"><head><title>t</title><style><![CDATA[${css}]]></style></head><body>${body}</body></html>`;
+        return file([tinyEpub({ chapters: [chapter, "<p>Here.</p>"] })], "a.epub");
+      },
+      isRefused: true,
+    }),
+  );
+  const table = `|${" a |".repeat(20_000)}\n|${"-|".repeat(20_000)}\n${"| a |\n".repeat(20_000)}`;
+  return [
+    ...drawings,
+    ...styles,
+    {
+      name: "Markdown: a table",
+      make: () => file([`Here.\n\n${table}`], "a.md"),
+      isRefused: false,
+    },
+    {
+      name: "Markdown: a list",
+      make: () => file(["- a\n".repeat(20_000)], "a.md"),
+      isRefused: false,
+    },
+    {
+      name: "an EPUB: italics",
+      make: () =>
+        file([tinyEpub({ chapters: [`<p>${"<i>a</i> ".repeat(50_000)}</p>`] })], "a.epub"),
+      isRefused: false,
+    },
+    {
+      name: "an EPUB: a chapter of four megabytes",
+      make: () => file([tinyEpub({ chapters: [prose(6000, 60)] })], "a.epub"),
+      isRefused: false,
+    },
+  ];
+}

@@ -1,0 +1,436 @@
+/**
+ * What a drawing or a chapter of a stranger may take, counted before anything is
+ * made of it: a few hundred bytes can name each other so that they stand for
+ * billions of elements, and layers and pictures of any number of pixels.
+ */
+
+import { claimedSize } from "./image_header.ts";
+import { limits } from "./limits.ts";
+import { dataPicture } from "./markup/data_address.ts";
+import { errorIn, parseMarkup } from "./markup/parse_markup.ts";
+import { BookError } from "./page_source.ts";
+import { pixelsAttribute, styleAttribute } from "./typeset/flow_book.ts";
+
+/**
+ * Elements that references may add: so many for each element that is there, as
+ * of maps with a symbol at each place, and so many besides.
+ */
+const addedEach = 20;
+const addedBesides = 2000;
+
+/** Layers within each other: each may have all pixels of a page, 64 MB; a gigabyte in all. */
+const deepestLayers = 16;
+
+/** Pictures within each other. */
+const deepestPictures = 4;
+
+/**
+ * Steps in which elements are compared with selectors, some five nanoseconds
+ * each; and siblings that one is compared with, as a longer chapter is divided.
+ */
+const mostSteps = 1_000_000_000;
+const mostSiblings = 4000;
+
+/** Characters of a value: 200 shadows, which books have at most. And those of all text that style adds to a chapter. */
+const longestValue = 5000;
+const mostGenerated = 1_000_000;
+
+/** The greatest number of columns, rows and lines of a grid. */
+const mostTracks = 9999;
+
+/** What is counted of an element with all that it shows. */
+interface Cost {
+  readonly elements: number;
+  /** Layers within each other. */
+  readonly layers: number;
+  /** Whether any of it is clipped: a clip that is takes a layer, others do not. */
+  readonly isClipped: boolean;
+}
+
+/** What is counted of a picture. */
+interface PictureCost extends Cost {
+  readonly pixels: number;
+}
+
+const nothing: Cost = { elements: 0, layers: 0, isClipped: false };
+const noPicture: PictureCost = { ...nothing, pixels: 0 };
+
+/** Declarations for which an element and what is in it are drawn on a layer of their own. */
+const layered =
+  /(?:^|[\s;])(?:-webkit-)?(?:opacity|mask|mask-image|filter|backdrop-filter|mix-blend-mode|isolation)\s*:\s*(?!none|auto|normal|1\b)/;
+
+/** A variable of CSS, where it is used. */
+const variable = /var\(\s*(--[^\s,)]+)/g;
+
+/** Pseudo-elements, whose rules are about the elements that have them. */
+const pseudoElement = /::?(before|after|marker|first-line|first-letter)\b/g;
+
+/** Attributes of SVG that name what is drawn with an element. */
+const naming = [
+  ...["mask", "clip-path", "filter", "fill", "stroke", "opacity"],
+  ...["marker", "marker-start", "marker-mid", "marker-end"],
+];
+
+const svg = "http://www.w3.org/2000/svg";
+const xlink = "http://www.w3.org/1999/xlink";
+
+const ownAddress = /href="#([^"]*)"|url\(\s*["']?#([^"')]*)["']?\s*\)/g;
+const dataAddress = /url\("(data:[^"]*)"\)/g;
+
+/**
+ * Counts what a chapter or a drawing takes. Rejects with a `BookError` where it is
+ * more than the budget.
+ *
+ * @param sheets its style sheets, clean
+ * @param name in sentences
+ */
+export async function checkBudget(
+  root: Element,
+  sheets: readonly string[],
+  name: string,
+): Promise<void> {
+  await new Count(root, sheets, name, null).check();
+}
+
+/** Counts what an SVG takes, as `checkBudget` does; one that is none takes nothing. */
+export async function checkSvg(text: string, name: string): Promise<void> {
+  await costOfSvg(text, name, 0);
+}
+
+/** Returns what an SVG takes, which is within the budget. */
+async function costOfSvg(text: string, name: string, depth: number): Promise<PictureCost> {
+  const document = parseMarkup(text, "image/svg+xml");
+  if (errorIn(document)) return noPicture;
+  const sheets = [...document.querySelectorAll("style")].map((style) => style.textContent ?? "");
+  return await new Count(document.documentElement, sheets, name, depth).check();
+}
+
+class Count {
+  readonly #root: Element;
+  readonly #sheets: readonly string[];
+  readonly #name: string;
+  /** Pictures around it, if it is one itself; null for a chapter. */
+  readonly #depth: number | null;
+  readonly #elements: readonly Element[];
+  readonly #byId = new Map<string, Element>();
+  /** Style that rules give to elements, where that matters here. */
+  readonly #styles = new Map<Element, string>();
+  readonly #costs = new Map<Element, Cost | null>();
+  /** Pictures by their addresses. */
+  readonly #pictures = new Map<string, PictureCost>();
+
+  constructor(root: Element, sheets: readonly string[], name: string, depth: number | null) {
+    this.#root = root;
+    this.#sheets = sheets;
+    this.#name = name;
+    this.#depth = depth;
+    this.#elements = [root, ...root.querySelectorAll("*")];
+    for (const one of this.#elements) {
+      if (one.id && !this.#byId.has(one.id)) this.#byId.set(one.id, one);
+    }
+  }
+
+  /** Returns what there is. Rejects with a `BookError` where that is too much. */
+  async check(): Promise<PictureCost> {
+    const { length } = this.#elements;
+    if (length > limits.elements) this.#refuse(`it has ${length} elements`);
+    this.#checkStyle();
+    const pixels = await this.#checkPictures();
+    const cost = this.#total();
+    const { elements, layers } = cost;
+    const most = Math.min(length + addedEach * length + addedBesides, limits.elements);
+    if (!(elements <= most)) this.#refuse("its elements stand for too many others");
+    if (!(layers <= deepestLayers)) this.#refuse("too many of its layers are within each other");
+    return { ...cost, pixels };
+  }
+
+  #refuse(what: string): never {
+    throw new BookError(
+      `${this.#name} takes more time or memory than a page may: ${what}; make it simpler.`,
+    );
+  }
+
+  #total(): Cost {
+    try {
+      return this.#cost(this.#root);
+    } catch (error) {
+      // A chain of references that is longer than the stack.
+      if (error instanceof RangeError) return { ...nothing, elements: Number.POSITIVE_INFINITY };
+      throw error;
+    }
+  }
+
+  #cost(element: Element): Cost {
+    const known = this.#costs.get(element);
+    // What names itself is not drawn.
+    if (known !== undefined) return known ?? nothing;
+    this.#costs.set(element, null);
+    let elements = spanOf(element);
+    let layers = 0;
+    let isClipped = false;
+    const add = (cost: Cost, times = 1): void => {
+      elements += times * cost.elements;
+      layers = Math.max(layers, cost.layers);
+      isClipped ||= cost.isClipped;
+    };
+    for (const child of element.children) add(this.#cost(child));
+    add(this.#pictures.get(pictureOf(element)) ?? nothing);
+    const style = `${this.#styles.get(element) ?? ""};${ownStyle(element)}`;
+    const text = element.namespaceURI === svg ? `${style};${shownBy(element)}` : style;
+    let isLayer = layered.test(text);
+    for (const [, href, id] of text.matchAll(ownAddress)) {
+      const target = this.#byId.get(href ?? id ?? "");
+      if (!target) continue;
+      const { localName } = target;
+      const cost = this.#cost(target);
+      isLayer ||= localName === "pattern" || (localName === "clipPath" && cost.isClipped);
+      add(cost, localName === "marker" ? cornersOf(element) : 1);
+    }
+    isClipped ||= /clip-path\s*:/.test(text);
+    const cost = { elements, layers: layers + (isLayer ? 1 : 0), isClipped };
+    this.#costs.set(element, cost);
+    return cost;
+  }
+
+  /** Counts what style takes: comparisons with selectors, long values, text that is added, and tracks of grids. */
+  #checkStyle(): void {
+    const rules = this.#sheets.flatMap(rulesOf);
+    this.#checkSelectors(rules);
+    const values = new Values(
+      rules,
+      this.#sheets.some((css) => css.includes("attr(")) ? this.#elements : [],
+    );
+    let generated = 0;
+    for (const { selectorText, style } of rules) {
+      const added = values.lengthOf(style.getPropertyValue("content"));
+      const text = style.cssText.replace(dataAddress, "");
+      this.#checkDeclarations(text, values);
+      const isDrawn = layered.test(text) || text.includes("url(");
+      if (added <= mostGenerated / limits.elements && !isDrawn) continue;
+      const matched = this.#matching(selectorText);
+      generated += added * matched.length;
+      if (generated > mostGenerated) this.#refuse("its style adds too much text");
+      if (!isDrawn) continue;
+      for (const one of matched) {
+        this.#styles.set(one, `${this.#styles.get(one) ?? ""};${text}`);
+      }
+    }
+    for (const element of this.#elements) {
+      this.#checkDeclarations(ownStyle(element).replace(dataAddress, ""), values);
+    }
+  }
+
+  #checkDeclarations(text: string, values: Values): void {
+    for (const declaration of text.split(";")) {
+      const at = declaration.indexOf(":");
+      if (at < 0) continue;
+      this.#checkValue(declaration.slice(0, at).trim(), declaration.slice(at + 1), values);
+    }
+  }
+
+  #checkValue(name: string, value: string, values: Values): void {
+    // Of a text that is added it matters to how many elements; of a variable, where it is used.
+    if (name === "content" || name.startsWith("--")) return;
+    const length = values.lengthOf(value);
+    if (length > longestValue) this.#refuse(`its style has a ${name} of ${length} characters`);
+    if (!/^(grid|column-count$)/.test(name)) return;
+    const numbers = `${value} ${values.namedIn(value)}`.match(/(?<![\w.#])\d+/g) ?? [];
+    if (numbers.some((count) => Number(count) > mostTracks)) {
+      this.#refuse("its style has a grid of too many columns or rows");
+    }
+  }
+
+  #checkSelectors(rules: readonly CSSStyleRule[]): void {
+    const count = this.#elements.length;
+    let siblings = 0;
+    let ancestors = 0;
+    const depths = new Map<Element, number>();
+    for (const element of this.#elements) {
+      const depth = (depths.get(element.parentElement as Element) ?? 0) + 1;
+      depths.set(element, depth);
+      ancestors += depth;
+      const { childElementCount } = element;
+      siblings += childElementCount * Math.min(childElementCount, mostSiblings);
+    }
+    let steps = 0;
+    for (const { selectorText } of rules) {
+      for (const selector of selectorText.split(",")) {
+        const following = selector.split("~").length - 1;
+        const looking = selector.split(":has(").length - 1;
+        const within = /[^\s>+~,] +[^\s>+~,]/.test(selector) ? ancestors / count : 1;
+        steps += count + following * siblings * within + looking * (ancestors + siblings);
+      }
+      if (steps > mostSteps) this.#refuse("its style has too many rules for its elements");
+    }
+  }
+
+  /** Returns the elements that a rule is about, those of its pseudo-elements too. */
+  #matching(selector: string): readonly Element[] {
+    try {
+      return [...this.#root.querySelectorAll(selector.replace(pseudoElement, "") || "*")];
+    } catch {
+      return this.#elements;
+    }
+  }
+
+  /**
+   * Returns the pixels of pictures. Those that are elements of a chapter are not
+   * counted together, as each is drawn on its own page: it is said what each has.
+   */
+  async #checkPictures(): Promise<number> {
+    const counted = new Set(
+      this.#sheets.flatMap((css) =>
+        [...css.matchAll(dataAddress)].map(([, address]) => address ?? ""),
+      ),
+    );
+    for (const element of this.#elements) {
+      for (const [, address] of ownStyle(element).matchAll(dataAddress)) counted.add(address ?? "");
+      const address = pictureOf(element);
+      if (address === "") continue;
+      if (this.#depth !== null) counted.add(address);
+      const { pixels } = await this.#picture(address, true);
+      if (this.#depth === null) element.setAttribute(pixelsAttribute, String(pixels));
+    }
+    let pixels = 0;
+    for (const address of counted) {
+      pixels += (await this.#picture(address, /^data:image\//i.test(address))).pixels;
+    }
+    if (pixels > limits.imagePixels) this.#refuse("its pictures have too many pixels");
+    return pixels;
+  }
+
+  /** @param isPicture whether it can be nothing else, such as a font */
+  async #picture(address: string, isPicture: boolean): Promise<PictureCost> {
+    const known = this.#pictures.get(address) ?? (await this.#costOf(address, isPicture));
+    this.#pictures.set(address, known);
+    return known;
+  }
+
+  async #costOf(address: string, isPicture: boolean): Promise<PictureCost> {
+    // One of no data is none.
+    if (address.endsWith(",")) return noPicture;
+    const image = await dataPicture(address);
+    if (image === null) {
+      if (isPicture) this.#refuse("it has a picture of an unknown kind");
+      return noPicture;
+    }
+    if (image.type === "image/svg+xml") {
+      const depth = (this.#depth ?? -1) + 1;
+      if (depth > deepestPictures) this.#refuse("too many pictures are within each other");
+      return await costOfSvg(await image.text(), this.#name, depth);
+    }
+    const size = await claimedSize(image);
+    return { ...noPicture, pixels: size ? size.width * size.height : 0 };
+  }
+}
+
+/** The values of style sheets, with what they put in by name. */
+class Values {
+  readonly #custom = new Map<string, string[]>();
+  readonly #lengths = new Map<string, number>();
+  readonly #longestAttribute: number;
+
+  /** @param elements those whose attributes may be put in */
+  constructor(rules: readonly CSSStyleRule[], elements: readonly Element[]) {
+    for (const { style } of rules) {
+      for (const name of style) {
+        if (!name.startsWith("--")) continue;
+        this.#custom.set(name, [...(this.#custom.get(name) ?? []), style.getPropertyValue(name)]);
+      }
+    }
+    let longest = 0;
+    for (const { attributes } of elements) {
+      for (const { name, value } of attributes) {
+        if (!/^(src|href)$/.test(name)) longest = Math.max(longest, value.length);
+      }
+    }
+    this.#longestAttribute = longest;
+  }
+
+  /** Returns the characters of a value once what it names is put in, but for data. */
+  lengthOf(value: string): number {
+    const text = value.replace(dataAddress, "");
+    let { length } = text;
+    for (const [, name] of text.matchAll(variable)) length += this.#expanded(name ?? "");
+    return length + (text.split("attr(").length - 1) * this.#longestAttribute;
+  }
+
+  /** Returns all that the variables in a value may be, and those in these, in any order. */
+  namedIn(value: string): string {
+    const names = new Set<string>();
+    const add = (text: string): void => {
+      for (const [, name = ""] of text.matchAll(variable)) {
+        if (names.has(name)) continue;
+        names.add(name);
+        this.#custom.get(name)?.forEach(add);
+      }
+    };
+    add(value);
+    return [...names].flatMap((name) => this.#custom.get(name) ?? []).join(" ");
+  }
+
+  #expanded(name: string): number {
+    const known = this.#lengths.get(name);
+    if (known !== undefined) return known;
+    // One that names itself has no value.
+    this.#lengths.set(name, 0);
+    const lengths = (this.#custom.get(name) ?? []).map((value) => this.lengthOf(value));
+    const length = lengths.reduce((longest, one) => Math.max(longest, one), 0);
+    this.#lengths.set(name, length);
+    return length;
+  }
+}
+
+/** Returns an element's own style. */
+function ownStyle(element: Element): string {
+  return element.getAttribute(styleAttribute) ?? element.getAttribute("style") ?? "";
+}
+
+/** Returns an SVG element's attributes that name others or make it a layer, as declarations. */
+function shownBy(element: Element): string {
+  const href = element.getAttribute("href") ?? element.getAttributeNS(xlink, "href") ?? "";
+  const shown = naming.map((name) => {
+    const value = element.getAttribute(name);
+    return value === null ? "" : `${name}: ${value};`;
+  });
+  return `${shown.join("")}${href.startsWith("#") && element.localName !== "a" ? `href="${href}"` : ""}`;
+}
+
+/** Returns the data of the picture that an element is; "" if it is none. */
+function pictureOf(element: Element): string {
+  if (!/^(img|image|feImage|input)$/i.test(element.localName)) return "";
+  const address =
+    element.getAttribute("src") ??
+    element.getAttribute("href") ??
+    element.getAttributeNS(xlink, "href") ??
+    "";
+  return /^\s*data:/i.test(address) ? address : "";
+}
+
+/** Returns how many elements one counts: a cell, or a column, as many as it spans. */
+function spanOf(element: Element): number {
+  const span = element.getAttribute("colspan") ?? element.getAttribute("span") ?? "1";
+  return Math.max(Number.parseInt(span, 10) || 1, 1);
+}
+
+/** Returns how many markers a line may have, by its numbers: two for a place. */
+function cornersOf(element: Element): number {
+  const places = element.getAttribute("d") ?? element.getAttribute("points") ?? "";
+  return Math.max(places.match(/\d+/g)?.length ?? 0, 2);
+}
+
+/** Returns all rules of a style sheet, those within others too. */
+function rulesOf(css: string): CSSStyleRule[] {
+  const sheet = new CSSStyleSheet();
+  sheet.replaceSync(css);
+  const rules: CSSStyleRule[] = [];
+  const read = (list: CSSRuleList): void => {
+    for (const rule of list) {
+      if (rule instanceof CSSStyleRule) rules.push(rule);
+      const within = (rule as CSSGroupingRule).cssRules;
+      if (within) read(within);
+    }
+  };
+  read(sheet.cssRules);
+  return rules;
+}

@@ -1,0 +1,43 @@
+/** Books that would take any time and memory are opened or refused; others beside them are read. */
+
+import { expect, test } from "vitest";
+import { hostileBooks } from "../for_tests/hostile_books.ts";
+import { messageOf } from "../for_tests/source_pages.ts";
+import { openSource } from "./open.ts";
+import { BookError, type PageSource } from "./page_source.ts";
+
+const never = new AbortController().signal;
+
+/** Draws and reads the first page, as a reader does who opens a book. */
+async function readFirst(source: PageSource): Promise<void> {
+  await source.size(0);
+  const picture = await source.draw(0, 900, never);
+  if ("close" in picture) picture.close();
+  await source.text?.(0, never);
+  await source.links?.(0, never);
+}
+
+test.each(hostileBooks())(
+  "$name is opened or refused",
+  async ({ make, isRefused }) => {
+    const file = make();
+    const source = await openSource(file).catch((error: unknown) => {
+      expect(error).toBeInstanceOf(BookError);
+      return error as BookError;
+    });
+    const said = source instanceof BookError ? source.message : await messageOf(readFirst(source));
+    if (isRefused)
+      expect(said).toMatch(/a\.\w+.* takes more time or memory than a page may: .*\.$/);
+    else expect(said).toBe("");
+    if (source instanceof BookError) return;
+    // The rest of the book is read.
+    const last = source.pageCount - 1;
+    if (last > 0) {
+      const picture = await source.draw(last, 60, never);
+      if ("close" in picture) picture.close();
+    }
+    source.close();
+  },
+  // Ten seconds by itself; tests share their processors with others.
+  60_000,
+);
