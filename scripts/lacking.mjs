@@ -1,7 +1,10 @@
 /** What the oldest supported browsers do not have, by docs/browsers.md and MDN's browser-compat-data. */
 import { readFileSync } from "node:fs";
+import { createRequire } from "node:module";
 import { join } from "node:path";
-import data from "@mdn/browser-compat-data" with { type: "json" };
+
+// 20 MB: a module of it would be read by vite first, which takes seconds.
+const data = createRequire(import.meta.url)("@mdn/browser-compat-data");
 
 /** The browsers of the table in docs/browsers.md by name, each with its oldest supported version. */
 export function oldestBrowsers() {

@@ -58,10 +58,11 @@ const turned = ([x = 0, y = 0, z = 0]: readonly number[]): number[] => [x, z, -y
 const imagesOf = ([front, back]: readonly string[]): string[] =>
   front && back ? ["--front", at(front), "--back", at(back)] : [];
 
-/** Arguments of a page whose corner is folded over, by itself too, and of one that is folded in three. */
+/** Arguments of a page whose corner is folded over, and of one that is folded in three. */
 const dogEar = ["--crease", "0.6,0 1,0.27 160"];
-const folded = ["--model", "sheet", "--gesture", "fold", "--points", "14x20", ...dogEar];
 const letter = ["--crease", "0.67,0 0.67,1 165", "--crease", "0.33,0 0.33,1 165"];
+/** Arguments of the folded corner that several tests look at. */
+const folded = ["--model", "sheet", "--gesture", "fold", "--points", "14x20", ...dogEar];
 
 describe("glTF", () => {
   it.each([

@@ -3,7 +3,9 @@
 import { cpSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { PNG } from "pngjs";
+import type { TurnleafBook } from "turnleaf";
 import { afterAll, beforeAll, describe, expect, it, test } from "vitest";
+import { type Performed, perform } from "../app/perform.ts";
 import { parseCommand } from "../src/arguments.ts";
 import type { ChromiumPage } from "../src/chromium/devtools.ts";
 import { Taking } from "../src/film/film.ts";
@@ -129,6 +131,27 @@ describe("bounds", () => {
   });
 });
 
+describe("an action that cannot be done says why", () => {
+  /** A book of which pages 2 and 3 lie open, which does nothing. */
+  const book = {
+    spread: { left: 2, right: 3 },
+    getAttribute: () => null,
+    dogEar: () => Promise.reject(new Error("It is all cover.")),
+    crumple: () => false,
+  } as unknown as TurnleafBook;
+
+  it.each([
+    ["crumple", "no loose sheet is whole."],
+    ["fold 6 letter", "the page does not lie open."],
+    ["dog-ear 3", "It is all cover."],
+  ])("%s", async (does, reason) => {
+    const [action] = parse("--do", does).actions as [Performed];
+    await expect(perform(book, action)).rejects.toThrow(
+      new Error(`"${does}" cannot be done: ${reason}`),
+    );
+  });
+});
+
 describe("films", () => {
   let folder: ReturnType<typeof folderOf>;
   beforeAll(() => {
@@ -227,12 +250,10 @@ describe("films", () => {
   });
 
   it.each([
-    ["wait 0.25, crumple", '"crumple" cannot be done: no loose sheet is whole.\n'],
     [
-      "fold 3 0,0 1,1",
+      "wait 0.25, fold 3 0,0 1,1",
       '"fold 3 0,0 1,1" cannot be done: A page cannot be folded along a line that',
     ],
-    ["fold 6 letter", '"fold 6 letter" cannot be done: the page does not lie open.\n'],
     ["wait 1, go-to 90", "The book has 8 pages; page 90 is none of them.\n"],
   ])(
     "what cannot be done ends with one sentence: %s",

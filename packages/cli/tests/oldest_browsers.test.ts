@@ -9,13 +9,14 @@ import type { TurnleafBook } from "turnleaf";
 import { afterAll, beforeAll, expect, test } from "vitest";
 import { lacking, oldestBrowsers } from "../../../scripts/lacking.mjs";
 import { pdf, png } from "./books.ts";
-import { chromiumForTests, hearComplaints } from "./browser.ts";
+import { pageForTests } from "./browser.ts";
 import { serveViewer, type ViewerSite } from "./viewer_page.ts";
 
-const tests = chromiumForTests();
+const tests = pageForTests({ viewport: { width: 400, height: 300 } });
 let site: ViewerSite;
 
 beforeAll(async () => {
+  await tests.page.addInitScript(deleteFeatures);
   const manifest = JSON.stringify({ pages: ["1.png", "2.png", "3.png", "4.png"] });
   const files: Record<string, Buffer | string> = { "/book.pdf": pdf(9), "/book.json": manifest };
   site = await serveViewer(
@@ -26,11 +27,18 @@ afterAll(async () => {
   await site?.stop();
 });
 
+/** Opens an empty page without features. */
+const openWithout = (features: readonly string[]): Promise<unknown> =>
+  tests.page.goto(`${site.url}#${encodeURIComponent(JSON.stringify(features))}`);
+
 /**
- * Runs in the page before anything else: deletes features there and, before
- * their own code, in its workers. Counts the features it deleted in `deleted`.
+ * Runs in the page before anything else: deletes the features that its address lists there and,
+ * before their own code, in its workers. Counts the features it deleted in `deleted`.
  */
-function deleteFeatures(features: readonly string[]): void {
+function deleteFeatures(): void {
+  const features: readonly string[] = JSON.parse(
+    decodeURIComponent(location.hash.slice(1)) || "[]",
+  );
   const deleteAll = (names: readonly string[]): number => {
     let count = 0;
     const drop = (object: unknown, key: string): void => {
@@ -61,8 +69,9 @@ function deleteFeatures(features: readonly string[]): void {
   };
 }
 
-/** Opens a book, turns it, reads it and zooms. Resolves to what was found. */
+/** Opens a book in place of the one before, turns it, reads it and zooms. Resolves to what was found. */
 async function use(src: string) {
+  document.querySelector("turnleaf-book")?.remove();
   const book = document.createElement("turnleaf-book") as TurnleafBook;
   book.style.cssText = "width: 320px; height: 240px";
   book.setAttribute("controls", "");
@@ -99,18 +108,14 @@ test.each(engines)(
     timeout: 120_000,
   },
   async (oldest) => {
-    const complaints: string[] = [];
-    const page = await tests.newPage({ viewport: { width: 400, height: 300 } });
-    hearComplaints(page, complaints);
-    await page.addInitScript(deleteFeatures, lacking(oldest));
+    await openWithout(lacking(oldest));
     for (const src of ["/book.pdf", "/book.json"]) {
-      await page.goto(site.url);
-      const found = await page.evaluate(use, src);
+      const found = await tests.page.evaluate(use, src);
       expect(found).toMatchObject({ turned: true, page: 2, width: 60 });
       // The table of features and the deleting both work.
       expect(found.deleted).toBeGreaterThan(100);
     }
-    expect(complaints).toEqual([]);
+    expect(tests.complaints).toEqual([]);
   },
 );
 
@@ -135,8 +140,6 @@ test.each([
   ["Map.getOrInsertComputed", "of 2025"],
   ["Promise.withResolvers", "as older versions of zone.js take it away"],
 ])("a PDF opens without %s, %s", { timeout: 60_000 }, async (feature) => {
-  const page = await tests.newPage({ viewport: { width: 400, height: 300 } });
-  await page.addInitScript(deleteFeatures, [feature]);
-  await page.goto(site.url);
-  expect(await page.evaluate(use, "/book.pdf")).toMatchObject({ turned: true, deleted: 1 });
+  await openWithout([feature]);
+  expect(await tests.page.evaluate(use, "/book.pdf")).toMatchObject({ turned: true, deleted: 1 });
 });

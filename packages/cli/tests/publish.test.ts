@@ -159,7 +159,9 @@ describe(`${bookCount} books`, () => {
   test("in two shards are the same bytes as in one run", { timeout: 3 * patience }, async () => {
     const path = folder();
     const [a, b, merged] = ["a", "b", "merged"].map((name) => join(path, name)) as [
-      ...[string, string, string],
+      string,
+      string,
+      string,
     ];
     for (const [out, shard] of [
       [a, "1/2"],
