@@ -5,11 +5,19 @@
 
 import { afterEach, expect, test, vi } from "vitest";
 import type { TurnleafBook } from "./element.ts";
-import { book, happens, keepWhatIsDrawn, scans, settled } from "./for_tests/element_books.ts";
+import {
+  book,
+  drawRoughly,
+  happens,
+  keepWhatIsDrawn,
+  scans,
+  settled,
+} from "./for_tests/element_books.ts";
 import { eventually } from "./for_tests/eventually.ts";
 import { TestPointer } from "./for_tests/test_pointer.ts";
 
 keepWhatIsDrawn();
+drawRoughly();
 
 afterEach(() => {
   vi.restoreAllMocks();

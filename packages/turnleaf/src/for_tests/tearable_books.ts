@@ -3,20 +3,16 @@
 import { expect } from "vitest";
 import type { TurnleafBook } from "../element.ts";
 import { clock } from "./clock.ts";
-import { book, happens, scans } from "./element_books.ts";
+import { book, bookInPlace, happens, scans } from "./element_books.ts";
+
+const atFifthPage = { page: "5", cover: "none", duration: "300", tearable: "perforated" };
 
 /** Adds an element at its fifth page, with room on the table beside the book. */
 export function tearableElement(
   pages: TurnleafBook["pages"],
   attributes: Record<string, string>,
 ): TurnleafBook {
-  const element = book(pages, {
-    page: "5",
-    cover: "none",
-    duration: "300",
-    tearable: "perforated",
-    ...attributes,
-  });
+  const element = book(pages, { ...atFifthPage, ...attributes });
   element.style.cssText = "width: 760px; height: 320px";
   return element;
 }
@@ -29,6 +25,15 @@ export async function tearableBook(
   const element = tearableElement(scans(count), attributes);
   await happens(element, "load");
   // A pull tears nothing until what tears is loaded.
+  await clock.until(() => element.ready);
+  return element;
+}
+
+/** Resolves to such a book in place of the one before, as `bookInPlace` does. */
+export async function tearableInPlace(
+  attributes: Record<string, string> = {},
+): Promise<TurnleafBook> {
+  const element = await bookInPlace(scans(12), { ...atFifthPage, ...attributes }, [760, 320]);
   await clock.until(() => element.ready);
   return element;
 }
