@@ -1,28 +1,13 @@
 /** Leaves torn out by command and by hand: their pages leave the book, lie beside it, and are put back. */
 
 import { expect, test } from "vitest";
-import type { TurnleafBook } from "../element.ts";
 import { clock } from "../for_tests/clock.ts";
 import { drawRoughly, happens, keepWhatIsDrawn, settled } from "../for_tests/element_books.ts";
 import { eventually } from "../for_tests/eventually.ts";
-import { besideBook, tearableInPlace, tearOutPage5 } from "../for_tests/tearable_books.ts";
-import { TestPointer } from "../for_tests/test_pointer.ts";
+import { besideBook, pull, tearableInPlace, tearOutPage5 } from "../for_tests/tearable_books.ts";
 
 keepWhatIsDrawn();
 drawRoughly();
-/** Pulls the upper corner of the right page outward, in steps of a frame, some pixels farther each. */
-async function pull(element: TurnleafBook, steps: number, each = 6): Promise<TestPointer> {
-  const pointer = new TestPointer(element);
-  const { right, top } = element.bookBounds as DOMRect;
-  const [x, y] = [right - 6, top + 8];
-  pointer.point("pointerdown", x, y);
-  for (let k = 1; k <= steps; k++) {
-    pointer.point("pointermove", x + each * k, y - 0.3 * each * k, { buttons: 1 });
-    await new Promise((resolve) => requestAnimationFrame(resolve));
-  }
-  return pointer;
-}
-
 test("a leaf is torn out by command, lies beside the book, and is put back", async () => {
   const element = await tearableInPlace();
   const heard: string[] = [];

@@ -4,6 +4,7 @@ import { expect } from "vitest";
 import type { TurnleafBook } from "../element.ts";
 import { clock } from "./clock.ts";
 import { book, bookInPlace, happens, scans } from "./element_books.ts";
+import { TestPointer } from "./test_pointer.ts";
 
 const atFifthPage = { page: "5", cover: "none", duration: "300", tearable: "perforated" };
 
@@ -62,6 +63,19 @@ export function besideBook(element: TurnleafBook): number {
   const { data } = pen.getImageData(0, 0, copy.width, copy.height);
   // Paper is opaque; shadows are not.
   return data.filter((value, k) => k % 4 === 3 && value > 250).length / (data.length / 4);
+}
+
+/** Pulls the upper corner of the right page outward, in steps of a frame, some pixels farther each. */
+export async function pull(element: TurnleafBook, steps: number, each = 6): Promise<TestPointer> {
+  const pointer = new TestPointer(element);
+  const { right, top } = element.bookBounds as DOMRect;
+  const [x, y] = [right - 6, top + 8];
+  pointer.point("pointerdown", x, y);
+  for (let k = 1; k <= steps; k++) {
+    pointer.point("pointermove", x + each * k, y - 0.3 * each * k, { buttons: 1 });
+    await new Promise((resolve) => requestAnimationFrame(resolve));
+  }
+  return pointer;
 }
 
 /** Tears the leaf of page 5 out. */
