@@ -138,7 +138,12 @@ export default defineConfig({
         // Nothing is drawn by WebGL.
         flags: ["--disable-gpu"],
       }),
-      inChromium("chromium, drawn", ["packages/**/*.drawn.test.ts"], { setup: "drawn_setup.ts" }),
+      inChromium("chromium, drawn", ["packages/**/*.drawn.test.ts"], {
+        setup: "drawn_setup.ts",
+        // Pages' pictures and what is around a book are painted without the graphics process, in which
+        // software imitates a graphics card: that is for the books.
+        flags: ["--disable-accelerated-2d-canvas", "--disable-gpu-rasterization"],
+      }),
       inChromium("chromium with HTML in canvas", htmlInCanvas, {
         setup: "drawn_setup.ts",
         flags: ["--enable-blink-features=CanvasDrawElement"],

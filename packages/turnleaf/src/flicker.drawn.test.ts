@@ -2,7 +2,9 @@
 
 import { afterEach, expect, test } from "vitest";
 import type { TurnleafBook } from "./element.ts";
-import { book, happens, settled } from "./for_tests/element_books.ts";
+import { book, drawRoughly, happens, settled } from "./for_tests/element_books.ts";
+
+drawRoughly();
 
 const request = globalThis.requestAnimationFrame;
 

@@ -9,6 +9,7 @@ import type { Turning } from "./book/turning.ts";
 import type { BookEngine } from "./engine/book_engine.ts";
 import { book, happens, scans } from "./for_tests/element_books.ts";
 import { eventually } from "./for_tests/eventually.ts";
+import { photograph, serve } from "./for_tests/photographs.ts";
 import type { ModelledBook } from "./leaf_models/leaf_model.ts";
 import { PhotographsModel } from "./leaf_models/photographs.ts";
 import type { BookPose, BookShape } from "./stage/book_pose.ts";
@@ -19,28 +20,6 @@ afterEach(() => {
   document.body.replaceChildren();
 });
 const unaborted = new AbortController().signal;
-const hueOf = (number: number): number => 20 + 72 * number;
-
-/** Returns a photograph: its left half in a colour of its own, its right half transparent. */
-async function photograph(number: number, width = 200, height = 160): Promise<Blob> {
-  const canvas = new OffscreenCanvas(width, height);
-  const pen = canvas.getContext("2d") as OffscreenCanvasRenderingContext2D;
-  pen.fillStyle = `hsl(${hueOf(number)} 100% 50%)`;
-  pen.fillRect(0, 0, width / 2, height);
-  return await canvas.convertToBlob({ type: "image/png" });
-}
-
-/** Responds to requests below /photographs/ with the result of `respond` for the number in it. */
-function serve(respond: (number: number) => Promise<BodyInit | null>): void {
-  const { fetch } = globalThis;
-  vi.spyOn(globalThis, "fetch").mockImplementation(async (input, init) => {
-    const [, number] = /\/photographs\/(\d+)\.png$/.exec(String(input)) ?? [];
-    if (number === undefined) return fetch(input, init);
-    const body = await respond(Number(number));
-    return new Response(body, { status: body === null ? 404 : 200 });
-  });
-}
-
 /**
  * Returns a book of unit size with stiff leaves in flight, each with a fraction
  * of its turn done.

@@ -5,11 +5,20 @@
 
 import { afterEach, expect, test, vi } from "vitest";
 import type { TurnleafBook } from "./element.ts";
-import { book, happens, keepWhatIsDrawn, scans, settled } from "./for_tests/element_books.ts";
+import {
+  book,
+  drawRoughly,
+  happens,
+  keepWhatIsDrawn,
+  scans,
+  settled,
+} from "./for_tests/element_books.ts";
 import { eventually } from "./for_tests/eventually.ts";
+import { hueOf, photograph, serve } from "./for_tests/photographs.ts";
 import { TestPointer } from "./for_tests/test_pointer.ts";
 
 keepWhatIsDrawn();
+drawRoughly();
 
 afterEach(() => {
   vi.restoreAllMocks();
@@ -17,27 +26,6 @@ afterEach(() => {
 });
 
 const count = 5;
-const hueOf = (number: number): number => 20 + 72 * number;
-
-/** Returns a photograph: its left half in a colour of its own, its right half transparent. */
-async function photograph(number: number, width = 200, height = 160): Promise<Blob> {
-  const canvas = new OffscreenCanvas(width, height);
-  const pen = canvas.getContext("2d") as OffscreenCanvasRenderingContext2D;
-  pen.fillStyle = `hsl(${hueOf(number)} 100% 50%)`;
-  pen.fillRect(0, 0, width / 2, height);
-  return await canvas.convertToBlob({ type: "image/png" });
-}
-
-/** Responds to requests below /photographs/ with the result of `respond` for the number in it. */
-function serve(respond: (number: number) => Promise<BodyInit | null>): void {
-  const { fetch } = globalThis;
-  vi.spyOn(globalThis, "fetch").mockImplementation(async (input, init) => {
-    const [, number] = /\/photographs\/(\d+)\.png$/.exec(String(input)) ?? [];
-    if (number === undefined) return fetch(input, init);
-    const body = await respond(Number(number));
-    return new Response(body, { status: body === null ? 404 : 200 });
-  });
-}
 
 async function opened(attributes: Record<string, string> = {}): Promise<TurnleafBook> {
   const element = book(scans(10), {

@@ -57,6 +57,9 @@ async function open(pages: number, cover: "hard" | "none", heard: Partial<Turnin
 const now = <T>(promise: Promise<T>): Promise<T | "pending"> =>
   Promise.race([promise, Promise.resolve().then(() => "pending" as const)]);
 
+/** Returns what each of some promises has resolved to by now, or "pending". */
+const allNow = <T>(promises: readonly Promise<T>[]) => Promise.all(promises.map(now));
+
 /** Seconds between leaves that follow each other at the default pace. */
 const apart = 0.072;
 
@@ -72,8 +75,8 @@ both("a way stops at both boards, and every turn keeps what it promised", async 
     [4, 5],
     [5, 6],
   ]);
-  expect(await landed).toBe(true);
-  expect(await turning.turn(1)).toBe(false);
+  expect(await now(landed)).toBe(true);
+  expect(await now(turning.turn(1))).toBe(false);
   expect(turning.spread).toBe(6);
 });
 
@@ -119,13 +122,13 @@ both("of a reader's turns three wait, and more are rejected at once", async () =
   const press = (): Promise<boolean> => turning.press(1);
   const first = Array.from({ length: 30 }, press);
   expect(turning.destination).toBe(3);
-  expect(await Promise.all(first.slice(3))).toEqual(Array(27).fill(false));
+  expect(await allNow(first.slice(3))).toEqual(Array(27).fill(false));
   turning.step(1);
   const second = Array.from({ length: 30 }, press);
   expect(turning.destination).toBe(4);
   run();
   expect(turning.spread).toBe(4);
-  const kept = await Promise.all([...first, ...second]);
+  const kept = await allNow([...first, ...second]);
   expect(kept.filter((done) => done).length).toBe(4);
 });
 
@@ -141,7 +144,7 @@ both("every turn that a command asks for counts, and says so", async () => {
     expect(turning.destination).toBe(1 + count);
     run(20_000);
     expect([turning.spread, engine.read]).toEqual([1 + count, count + (cover === "none" ? 1 : 0)]);
-    expect(await Promise.all(promised)).toEqual(Array(count).fill(true));
+    expect(await allNow(promised)).toEqual(Array(count).fill(true));
     // Many leaves at once are a jump.
     expect(flights.length).toBe(count > 12 ? 9 : count);
   }
@@ -160,18 +163,18 @@ both("turns asked for one after another while others fly all count", async () =>
   expect(turning.spread).toBe(41);
   // Turns that were taken back resolve to false.
   const kept = [...Array(40).fill(true), ...Array(20).fill(false), ...Array(20).fill(true)];
-  expect(await Promise.all(promised)).toEqual(kept);
+  expect(await allNow(promised)).toEqual(kept);
 });
 
 both("a turn beyond the book's end is rejected at once, however many there are", async () => {
   const { turning, run } = await open(12, "hard");
   const promised = Array.from({ length: 9 }, () => turning.turn(1));
-  expect(await Promise.all(promised.slice(6))).toEqual([false, false, false]);
+  expect(await allNow(promised.slice(6))).toEqual([false, false, false]);
   run(20_000);
   expect(turning.spread).toBe(6);
-  expect(await Promise.all(promised.slice(0, 6))).toEqual(Array(6).fill(true));
-  expect(await turning.turn(1)).toBe(false);
-  expect(await turning.press(1)).toBe(false);
+  expect(await allNow(promised.slice(0, 6))).toEqual(Array(6).fill(true));
+  expect(await now(turning.turn(1))).toBe(false);
+  expect(await now(turning.press(1))).toBe(false);
 });
 
 both("a turn by command goes on from where a jump leads", async () => {
@@ -182,7 +185,7 @@ both("a turn by command goes on from where a jump leads", async () => {
   promised.push(turning.turn(-1), turning.turn(-1), turning.turn(1));
   run(20_000);
   expect(turning.spread).toBe(99);
-  expect(await Promise.all(promised)).toEqual([false, true, false, true]);
+  expect(await allNow(promised)).toEqual([false, true, false, true]);
 });
 
 both("a reader's turn against a jump calls it off", async () => {
@@ -194,7 +197,7 @@ both("a reader's turn against a jump calls it off", async () => {
   const back = turning.press(-1);
   run();
   expect(turning.spread).toBeLessThan(90);
-  expect([await far, await back]).toEqual([false, true]);
+  expect([await now(far), await now(back)]).toEqual([false, true]);
 });
 
 both("the book says that it rests once, at the end of its way", async () => {
@@ -207,7 +210,7 @@ both("the book says that it rests once, at the end of its way", async () => {
     const { turning, run, pass } = await open(200, cover, heard);
     const tell = async (promised: Promise<boolean>): Promise<string | undefined> => {
       run(20_000);
-      expect(await promised).toBe(true);
+      expect(await now(promised)).toBe(true);
       expect(rests.length).toBe(1);
       return rests.pop();
     };
@@ -240,7 +243,7 @@ both("a way that is taken back where nothing flies is over at once", async () =>
   while (turning.flights.length > 0) turning.step(1);
   expect(turning.spread).toBe(1);
   expect(rests).toEqual([]);
-  expect(await turning.goTo(1)).toBe(true);
+  expect(await now(turning.goTo(1))).toBe(true);
   expect(rests).toEqual(["0 to 1"]);
   expect(turning.moving).toBe(false);
 });
@@ -258,8 +261,8 @@ both("a listener that asks for the same place at rest, or another, gets it", asy
   const jump = turning.goTo(50);
   run(20_000);
   expect(rests).toEqual([50, 19]);
-  expect(await jump).toBe(true);
-  expect(await Promise.all(asked)).toEqual([true, false, true, true]);
+  expect(await now(jump)).toBe(true);
+  expect(await allNow(asked)).toEqual([true, false, true, true]);
 });
 
 both("a step back sends the leaf taken up last back first", async () => {
@@ -279,7 +282,7 @@ both("a step back sends the leaf taken up last back first", async () => {
   expect(sides()).toBe("111100");
   run();
   expect(turning.spread).toBe(14);
-  expect(await Promise.all(promised)).toEqual([true, true, false, true]);
+  expect(await allNow(promised)).toEqual([true, true, false, true]);
 });
 
 both("a held key the other way first takes back what flies, then turns on", async () => {
@@ -309,7 +312,7 @@ both("a far jump takes few leaves and little time, and lands at its page", async
     let ticks = 0;
     for (; turning.moving; ticks++) turning.step(1);
     expect(ticks * engine.tick).toBeLessThan(1.6);
-    expect(await landed).toBe(true);
+    expect(await now(landed)).toBe(true);
     expect([turning.spread, engine.read]).toEqual([spread, spread]);
     expect(flights.length).toBe(Math.abs(spread - from) > 12 ? 9 : Math.abs(spread - from));
   }
@@ -326,7 +329,7 @@ both("a slider dragged to and fro ends where it was let go", async () => {
   expect(turning.destination).toBe(177);
   run(20_000);
   expect([turning.spread, engine.read]).toEqual([177, 176]);
-  expect((await Promise.all(promised)).at(-1)).toBe(true);
+  expect((await allNow(promised)).at(-1)).toBe(true);
 });
 
 both("a jump back while leaves fly takes those back that need not have flown", async () => {
@@ -418,7 +421,7 @@ both("a grab does not hold a leaf that a key took from it, nor the next one", as
     [5, 6],
   ]);
   expect(turning.spread).toBe(6);
-  expect([await one, await two]).toEqual([true, true]);
+  expect([await now(one), await now(two)]).toEqual([true, true]);
   run();
 });
 
@@ -435,7 +438,7 @@ both("a key during a grab sends the leaf to the key's side", async () => {
     const landed = turning.turn(by);
     run();
     expect(turning.spread).toBe(spread);
-    expect(await landed).toBe(true);
+    expect(await now(landed)).toBe(true);
   }
 });
 

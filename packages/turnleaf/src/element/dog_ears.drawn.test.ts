@@ -3,10 +3,17 @@
 import { afterEach, beforeEach, expect, test } from "vitest";
 import type { TurnleafBook } from "../element.ts";
 import { clock } from "../for_tests/clock.ts";
-import { bookOverDark, happens, keepWhatIsDrawn, settled } from "../for_tests/element_books.ts";
+import {
+  bookOverDark,
+  drawRoughly,
+  happens,
+  keepWhatIsDrawn,
+  settled,
+} from "../for_tests/element_books.ts";
 import { eventually } from "../for_tests/eventually.ts";
 
 keepWhatIsDrawn();
+drawRoughly();
 
 beforeEach(() => localStorage.clear());
 afterEach(() => document.body.replaceChildren());

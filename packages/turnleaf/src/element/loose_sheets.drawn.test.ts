@@ -1,21 +1,16 @@
 /** Loose sheets, torn out of a book: crumpled, torn across, and lying upon each other. */
 
-import { afterEach, expect, test, vi } from "vitest";
+import { expect, test } from "vitest";
 import { clock } from "../for_tests/clock.ts";
 import { drawRoughly, keepWhatIsDrawn, settled } from "../for_tests/element_books.ts";
 import { eventually } from "../for_tests/eventually.ts";
-import { besideBook, tearableBook, tearOutPage5 } from "../for_tests/tearable_books.ts";
+import { besideBook, tearableInPlace, tearOutPage5 } from "../for_tests/tearable_books.ts";
 import { TestPointer } from "../for_tests/test_pointer.ts";
 
 keepWhatIsDrawn();
 drawRoughly();
-afterEach(() => {
-  vi.restoreAllMocks();
-  document.body.replaceChildren();
-});
-
 test("a loose sheet is crumpled by command, once, and its pages are put back whole", async () => {
-  const element = await tearableBook();
+  const element = await tearableInPlace();
   expect(element.crumple()).toBe(false);
   clock.hold();
   await tearOutPage5(element);
@@ -23,7 +18,6 @@ test("a loose sheet is crumpled by command, once, and its pages are put back who
   expect(element.crumple()).toBe(true);
   expect(element.crumple()).toBe(false);
   await clock.until(() => element.settled);
-  vi.restoreAllMocks();
   // A ball of a little less than half of the width covers a fifth of the sheet.
   expect(besideBook(element)).toBeLessThan(0.5 * flat);
   expect(besideBook(element)).toBeGreaterThan(0.05 * flat);
@@ -34,7 +28,7 @@ test("a loose sheet is crumpled by command, once, and its pages are put back who
 });
 
 test("a double tap crumples a loose sheet", async () => {
-  const element = await tearableBook();
+  const element = await tearableInPlace();
   await element.tearOut(5);
   await settled(element);
   await eventually(() => besideBook(element)).toBeGreaterThan(0.2);
@@ -50,7 +44,7 @@ test("a double tap crumples a loose sheet", async () => {
 });
 
 test("a loose sheet is torn across by command; both pieces stay, and its pages are put back whole", async () => {
-  const element = await tearableBook();
+  const element = await tearableInPlace();
   const [from, to] = [
     { x: 0, y: 0.5 },
     { x: 1, y: 0.45 },
@@ -68,7 +62,6 @@ test("a loose sheet is torn across by command; both pieces stay, and its pages a
   expect(element.tearAcross(from, to)).toBe(false);
   expect(element.crumple()).toBe(false);
   await clock.until(() => element.settled);
-  vi.restoreAllMocks();
   expect(Math.abs(besideBook(element) / whole - 1)).toBeLessThan(0.1);
   expect([element.pageCount, element.tornLeaves]).toEqual([10, 1]);
   expect(await element.putBack()).toBe(true);
@@ -79,7 +72,7 @@ test("a loose sheet is torn across by command; both pieces stay, and its pages a
 
 // It draws some hundreds of frames, which takes software half a minute on a quiet machine.
 test("two fingers that pull a loose sheet apart tear it, and each carries its piece", async () => {
-  const element = await tearableBook();
+  const element = await tearableInPlace();
   clock.hold();
   await tearOutPage5(element);
   expect(besideBook(element)).toBeGreaterThan(0.2);
@@ -112,7 +105,6 @@ test("two fingers that pull a loose sheet apart tear it, and each carries its pi
   clock.frames(24);
   finger(2, "pointerup", 1500);
   await atRest();
-  vi.restoreAllMocks();
   expect(besideBook(element)).toBeLessThan(0.75 * both);
   expect(element.zoom).toBe(1);
   expect(besideBook(element)).toBeGreaterThan(0.02);

@@ -2,10 +2,18 @@
 
 import { afterEach, expect, test } from "vitest";
 import type { TurnleafBook } from "../element.ts";
-import { book, happens, keepWhatIsDrawn, scans, settled } from "../for_tests/element_books.ts";
+import {
+  book,
+  drawRoughly,
+  happens,
+  keepWhatIsDrawn,
+  scans,
+  settled,
+} from "../for_tests/element_books.ts";
 import { TestPointer } from "../for_tests/test_pointer.ts";
 
 keepWhatIsDrawn();
+drawRoughly();
 
 afterEach(() => document.body.replaceChildren());
 

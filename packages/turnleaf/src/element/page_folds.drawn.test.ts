@@ -6,6 +6,7 @@ import { clock } from "../for_tests/clock.ts";
 import {
   book,
   bookOverDark,
+  drawRoughly,
   happens,
   keepWhatIsDrawn,
   scans,
@@ -14,6 +15,7 @@ import {
 import { eventually } from "../for_tests/eventually.ts";
 
 keepWhatIsDrawn();
+drawRoughly();
 
 beforeEach(() => localStorage.clear());
 afterEach(() => {

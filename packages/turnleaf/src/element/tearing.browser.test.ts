@@ -1,31 +1,17 @@
 /** Leaves torn out by command and by hand: their pages leave the book, lie beside it, and are put back. */
 
 import { afterEach, expect, test, vi } from "vitest";
-import type { TurnleafBook } from "../element.ts";
 import { CreasableBook } from "../engine/creasable_book.ts";
 import { clock } from "../for_tests/clock.ts";
 import { settled } from "../for_tests/element_books.ts";
 import { eventually } from "../for_tests/eventually.ts";
-import { tearableBook, tearOutPage5 } from "../for_tests/tearable_books.ts";
+import { pull, tearableBook, tearOutPage5 } from "../for_tests/tearable_books.ts";
 import { TestPointer } from "../for_tests/test_pointer.ts";
 
 afterEach(() => {
   vi.restoreAllMocks();
   document.body.replaceChildren();
 });
-
-/** Pulls the upper corner of the right page outward, in steps of a frame, some pixels farther each. */
-async function pull(element: TurnleafBook, steps: number, each = 6): Promise<TestPointer> {
-  const pointer = new TestPointer(element);
-  const { right, top } = element.bookBounds as DOMRect;
-  const [x, y] = [right - 6, top + 8];
-  pointer.point("pointerdown", x, y);
-  for (let k = 1; k <= steps; k++) {
-    pointer.point("pointermove", x + each * k, y - 0.3 * each * k, { buttons: 1 });
-    await new Promise((resolve) => requestAnimationFrame(resolve));
-  }
-  return pointer;
-}
 
 test("pages that are put back are bookmarked as they were", async () => {
   const element = await tearableBook();

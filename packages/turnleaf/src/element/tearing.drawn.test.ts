@@ -1,35 +1,15 @@
 /** Leaves torn out by command and by hand: their pages leave the book, lie beside it, and are put back. */
 
-import { afterEach, expect, test, vi } from "vitest";
-import type { TurnleafBook } from "../element.ts";
+import { expect, test } from "vitest";
 import { clock } from "../for_tests/clock.ts";
 import { drawRoughly, happens, keepWhatIsDrawn, settled } from "../for_tests/element_books.ts";
 import { eventually } from "../for_tests/eventually.ts";
-import { besideBook, tearableBook, tearOutPage5 } from "../for_tests/tearable_books.ts";
-import { TestPointer } from "../for_tests/test_pointer.ts";
+import { besideBook, pull, tearableInPlace, tearOutPage5 } from "../for_tests/tearable_books.ts";
 
 keepWhatIsDrawn();
 drawRoughly();
-afterEach(() => {
-  vi.restoreAllMocks();
-  document.body.replaceChildren();
-});
-
-/** Pulls the upper corner of the right page outward, in steps of a frame, some pixels farther each. */
-async function pull(element: TurnleafBook, steps: number, each = 6): Promise<TestPointer> {
-  const pointer = new TestPointer(element);
-  const { right, top } = element.bookBounds as DOMRect;
-  const [x, y] = [right - 6, top + 8];
-  pointer.point("pointerdown", x, y);
-  for (let k = 1; k <= steps; k++) {
-    pointer.point("pointermove", x + each * k, y - 0.3 * each * k, { buttons: 1 });
-    await new Promise((resolve) => requestAnimationFrame(resolve));
-  }
-  return pointer;
-}
-
 test("a leaf is torn out by command, lies beside the book, and is put back", async () => {
-  const element = await tearableBook();
+  const element = await tearableInPlace();
   const heard: string[] = [];
   for (const name of ["tear", "pageschange", "torn", "turnstart", "pagechange"]) {
     element.addEventListener(name, (event) =>
@@ -57,7 +37,7 @@ test("a leaf is torn out by command, lies beside the book, and is put back", asy
 });
 
 test("a page with a folded corner is torn out as it is, crumpled, and put back folded", async () => {
-  const element = await tearableBook();
+  const element = await tearableInPlace();
   expect(await element.dogEar(5, "head", 0.3)).toBe(true);
   await settled(element);
   const dogEars = [{ page: 5, corner: "head", size: 0.3 }];
@@ -77,7 +57,7 @@ test("a page with a folded corner is torn out as it is, crumpled, and put back f
 });
 
 test("a pointer tears a leaf out, carries it, lays it down and takes it again", async () => {
-  const element = await tearableBook();
+  const element = await tearableInPlace();
   const torn = happens<{ pages: number[] }>(element, "torn");
   const pointer = await pull(element, 30);
   expect((await torn).pages).toEqual([5, 6]);
@@ -106,7 +86,7 @@ test("a pointer tears a leaf out, carries it, lays it down and takes it again", 
 
 /** Returns what is drawn while a leaf that was pulled taut first is held over the spine, in grey. */
 async function heldOverSpine(tearable: string): Promise<Uint8ClampedArray> {
-  const element = await tearableBook({ tearable });
+  const element = await tearableInPlace({ tearable });
   const pointer = await pull(element, 10, 2);
   const { left, right, top } = element.bookBounds as DOMRect;
   const [from, to] = [right, (left + right) / 2];
@@ -122,7 +102,6 @@ async function heldOverSpine(tearable: string): Promise<Uint8ClampedArray> {
   pen.drawImage(drawn, 0, 0, copy.width, copy.height);
   const grey = pen.getImageData(0, 0, copy.width, copy.height).data.filter((_, k) => k % 4 === 0);
   pointer.point("pointerup", to, top + 50);
-  element.remove();
   return grey;
 }
 

@@ -17,7 +17,7 @@ export interface WindowPlace {
 }
 
 /** Returns where this document lies on the outermost page, which the tools use. */
-function frame(): WindowPlace & { readonly scale: number } {
+export function frame(): WindowPlace & { readonly scale: number } {
   const box = frameElement?.getBoundingClientRect();
   return { x: box?.left ?? 0, y: box?.top ?? 0, scale: box ? box.width / innerWidth : 1 };
 }

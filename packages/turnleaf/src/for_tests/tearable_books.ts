@@ -3,20 +3,17 @@
 import { expect } from "vitest";
 import type { TurnleafBook } from "../element.ts";
 import { clock } from "./clock.ts";
-import { book, happens, scans } from "./element_books.ts";
+import { book, bookInPlace, happens, scans } from "./element_books.ts";
+import { TestPointer } from "./test_pointer.ts";
+
+const atFifthPage = { page: "5", cover: "none", duration: "300", tearable: "perforated" };
 
 /** Adds an element at its fifth page, with room on the table beside the book. */
 export function tearableElement(
   pages: TurnleafBook["pages"],
   attributes: Record<string, string>,
 ): TurnleafBook {
-  const element = book(pages, {
-    page: "5",
-    cover: "none",
-    duration: "300",
-    tearable: "perforated",
-    ...attributes,
-  });
+  const element = book(pages, { ...atFifthPage, ...attributes });
   element.style.cssText = "width: 760px; height: 320px";
   return element;
 }
@@ -29,6 +26,15 @@ export async function tearableBook(
   const element = tearableElement(scans(count), attributes);
   await happens(element, "load");
   // A pull tears nothing until what tears is loaded.
+  await clock.until(() => element.ready);
+  return element;
+}
+
+/** Resolves to such a book in place of the one before, as `bookInPlace` does. */
+export async function tearableInPlace(
+  attributes: Record<string, string> = {},
+): Promise<TurnleafBook> {
+  const element = await bookInPlace(scans(12), { ...atFifthPage, ...attributes }, [760, 320]);
   await clock.until(() => element.ready);
   return element;
 }
@@ -57,6 +63,19 @@ export function besideBook(element: TurnleafBook): number {
   const { data } = pen.getImageData(0, 0, copy.width, copy.height);
   // Paper is opaque; shadows are not.
   return data.filter((value, k) => k % 4 === 3 && value > 250).length / (data.length / 4);
+}
+
+/** Pulls the upper corner of the right page outward, in steps of a frame, some pixels farther each. */
+export async function pull(element: TurnleafBook, steps: number, each = 6): Promise<TestPointer> {
+  const pointer = new TestPointer(element);
+  const { right, top } = element.bookBounds as DOMRect;
+  const [x, y] = [right - 6, top + 8];
+  pointer.point("pointerdown", x, y);
+  for (let k = 1; k <= steps; k++) {
+    pointer.point("pointermove", x + each * k, y - 0.3 * each * k, { buttons: 1 });
+    await new Promise((resolve) => requestAnimationFrame(resolve));
+  }
+  return pointer;
 }
 
 /** Tears the leaf of page 5 out. */

@@ -9,13 +9,31 @@ import { clock } from "./clock.ts";
 export const width = 400;
 export const height = 300;
 
+/** A book on a canvas in the document. */
+export interface ViewedBook {
+  readonly canvas: HTMLCanvasElement;
+  readonly viewer: Viewer;
+}
+
+let canvas = document.createElement("canvas");
+/** Whether the book that was on the canvas has left it to the next one. */
+let isSpare = false;
+
+/** Closes a book, and leaves its canvas to the next one, with what is compiled. */
+export function close({ viewer }: ViewedBook): void {
+  isSpare = viewer.destroy(true);
+}
+
 /** Opens a book on a canvas in the document. Resolves once it rests. */
 export async function opened(
   source: PageSource,
   options: Partial<ViewerOptions>,
-): Promise<{ canvas: HTMLCanvasElement; viewer: Viewer }> {
-  let canvas = document.createElement("canvas");
+): Promise<ViewedBook> {
   const fresh = (): HTMLCanvasElement => {
+    if (isSpare) {
+      isSpare = false;
+      return canvas;
+    }
     canvas.remove();
     canvas = document.createElement("canvas");
     canvas.style.cssText = `width: ${width}px; height: ${height}px; background: white`;
@@ -53,7 +71,7 @@ export const settledViewer = (viewer: Viewer): Promise<void> => clock.until(() =
  * CSS pixels to the right, 0 to 255.
  */
 export async function brightness(
-  { canvas, viewer }: { canvas: HTMLCanvasElement; viewer: Viewer },
+  { canvas, viewer }: ViewedBook,
   place: { x: number; y: number },
   count: number,
 ): Promise<number[]> {

@@ -6,46 +6,16 @@
 import { afterEach, beforeEach, expect, test } from "vitest";
 import { userEvent } from "vitest/browser";
 import type { TurnleafBook } from "../element.ts";
-import { book, happens, scans, settled } from "../for_tests/element_books.ts";
+import { happens, scans, settled } from "../for_tests/element_books.ts";
 import { eventually } from "../for_tests/eventually.ts";
 import { clickMouse, dragMouse, toolSession } from "../for_tests/real_mouse.ts";
+import { awayAndBack, boxIn, fonts, line, openedWhale, spansOf } from "../for_tests/text_books.ts";
 import { tinyPdf } from "../sources/tiny_pdf.ts";
-
-const fonts = "/Font << /F1 << /Type /Font /Subtype /Type1 /BaseFont /Helvetica >> >>";
-/**
- * Returns a line of text on a page of 200 x 300 points, its baseline at a
- * height above the foot.
- */
-const line = (text: string, y: number, x = 30): string =>
-  `BT /F1 16 Tf ${x} ${y} Td (${text}) Tj ET\n`;
-const link = (target: string): string =>
-  `<< /Type /Annot /Subtype /Link /Rect [20 90 180 125] ${target} >>`;
-
-/** Eight pages; the second and third lie open together. */
-function pdf(): File {
-  const pages = Array.from({ length: 8 }, (_, i) => line(`Page number ${i + 1}`, 150));
-  pages[1] =
-    line("Call me", 230) + line("Ishmael. Some", 205) + line("years ago", 180) + line("End", 100);
-  pages[2] = line("never mind how", 230) + line("long Ishmael", 205);
-  const bytes = tinyPdf({
-    pages,
-    resources: `${fonts} >> /Annots [10 0 R] /Ignored <<`,
-    objects: [link("/Dest [6 /Fit]")],
-    catalog: "/Lang (en-GB) /PageLabels << /Nums [0 << /S /r >>] >>",
-  });
-  return new File([bytes], "whale.pdf");
-}
 
 let element: TurnleafBook;
 
 beforeEach(async () => {
-  element = book(null, { cover: "none", page: "2", duration: "60" });
-  element.style.cssText = "position: fixed; left: 0; top: 0; width: 640px; height: 460px";
-  const loaded = happens(element, "load");
-  element.pages = pdf();
-  await loaded;
-  await settled(element);
-  await eventually(() => spans().length).toBeGreaterThan(5);
+  element = await openedWhale();
 });
 
 afterEach(() => {
@@ -54,40 +24,8 @@ afterEach(() => {
 });
 
 const root = (): ShadowRoot => element.shadowRoot as ShadowRoot;
-const spans = (): HTMLElement[] => [...root().querySelectorAll<HTMLElement>(".text span")];
-/** Returns the box of a piece of text, which may be laid out in several. */
-function boxOf(text: string): DOMRect {
-  const all = spans();
-  for (let first = all.length - 1; first >= 0; first--) {
-    let said = "";
-    for (let last = first; last < all.length; last++) {
-      said += all[last].textContent;
-      if (!said.startsWith(text.slice(0, said.length))) break;
-      if (said.trim() !== text) continue;
-      const [a, b] = [all[first], all[last]].map((span) => span.getBoundingClientRect());
-      return new DOMRect(
-        a.left,
-        Math.min(a.top, b.top),
-        b.right - a.left,
-        Math.max(a.bottom, b.bottom) - Math.min(a.top, b.top),
-      );
-    }
-  }
-  throw new Error(`No "${text}" on the page.`);
-}
-
-/** Moves the view: the text disappears, however shortly, and comes back at rest. */
-async function awayAndBack(move: () => unknown): Promise<void> {
-  const layer = root().querySelector(".reading") as HTMLElement;
-  const states: boolean[] = [];
-  const observer = new MutationObserver(() => states.push(layer.hasAttribute("hidden")));
-  observer.observe(layer, { attributeFilter: ["hidden"] });
-  await move();
-  await eventually(() => states.at(-1)).toBe(false);
-  expect(states).toContain(true);
-  observer.disconnect();
-  await settled(element);
-}
+const boxOf = (text: string): DOMRect => boxIn(element, text);
+const spans = (): HTMLElement[] => spansOf(element);
 
 test("a drag with the mouse selects, and what is copied has words and lines", async () => {
   await dragMouse(edgeOf(boxOf("Call me"), 0), edgeOf(boxOf("years ago"), 1));
@@ -101,7 +39,7 @@ test("a drag with the mouse selects, and what is copied has words and lines", as
 });
 
 test("the text is away while a leaf turns, and another lies there afterwards", async () => {
-  await awayAndBack(() => element.next());
+  await awayAndBack(element, () => element.next());
   const groups = [...root().querySelectorAll(".text [role=group]")];
   expect(groups.map(({ ariaLabel }) => ariaLabel)).toEqual(["Page iv", "Page v"]);
   await eventually(() => groups.map(({ textContent }) => textContent)).toEqual([

@@ -4,48 +4,18 @@
  */
 
 import { afterEach, beforeEach, expect, test } from "vitest";
-import { cdp } from "vitest/browser";
 import type { TurnleafBook } from "../element.ts";
 import { drawNow } from "../for_tests/drawn_when_seen.ts";
-import { book, happens, settled } from "../for_tests/element_books.ts";
+import { happens, settled } from "../for_tests/element_books.ts";
 import { eventually } from "../for_tests/eventually.ts";
+import { clickMouse, frame, toolSession } from "../for_tests/real_mouse.ts";
+import { awayAndBack, boxIn, openedWhale } from "../for_tests/text_books.ts";
 import { tinyPdf } from "../sources/tiny_pdf.ts";
-
-const fonts = "/Font << /F1 << /Type /Font /Subtype /Type1 /BaseFont /Helvetica >> >>";
-/**
- * Returns a line of text on a page of 200 x 300 points, its baseline at a
- * height above the foot.
- */
-const line = (text: string, y: number, x = 30): string =>
-  `BT /F1 16 Tf ${x} ${y} Td (${text}) Tj ET\n`;
-const link = (target: string): string =>
-  `<< /Type /Annot /Subtype /Link /Rect [20 90 180 125] ${target} >>`;
-
-/** Eight pages; the second and third lie open together. */
-function pdf(): File {
-  const pages = Array.from({ length: 8 }, (_, i) => line(`Page number ${i + 1}`, 150));
-  pages[1] =
-    line("Call me", 230) + line("Ishmael. Some", 205) + line("years ago", 180) + line("End", 100);
-  pages[2] = line("never mind how", 230) + line("long Ishmael", 205);
-  const bytes = tinyPdf({
-    pages,
-    resources: `${fonts} >> /Annots [10 0 R] /Ignored <<`,
-    objects: [link("/Dest [6 /Fit]")],
-    catalog: "/Lang (en-GB) /PageLabels << /Nums [0 << /S /r >>] >>",
-  });
-  return new File([bytes], "whale.pdf");
-}
 
 let element: TurnleafBook;
 
 beforeEach(async () => {
-  element = book(null, { cover: "none", page: "2", duration: "60" });
-  element.style.cssText = "position: fixed; left: 0; top: 0; width: 640px; height: 460px";
-  const loaded = happens(element, "load");
-  element.pages = pdf();
-  await loaded;
-  await settled(element);
-  await eventually(() => spans().length).toBeGreaterThan(5);
+  element = await openedWhale();
 });
 
 afterEach(() => {
@@ -54,40 +24,7 @@ afterEach(() => {
 });
 
 const root = (): ShadowRoot => element.shadowRoot as ShadowRoot;
-const spans = (): HTMLElement[] => [...root().querySelectorAll<HTMLElement>(".text span")];
-/** Returns the box of a piece of text, which may be laid out in several. */
-function boxOf(text: string): DOMRect {
-  const all = spans();
-  for (let first = all.length - 1; first >= 0; first--) {
-    let said = "";
-    for (let last = first; last < all.length; last++) {
-      said += all[last].textContent;
-      if (!said.startsWith(text.slice(0, said.length))) break;
-      if (said.trim() !== text) continue;
-      const [a, b] = [all[first], all[last]].map((span) => span.getBoundingClientRect());
-      return new DOMRect(
-        a.left,
-        Math.min(a.top, b.top),
-        b.right - a.left,
-        Math.max(a.bottom, b.bottom) - Math.min(a.top, b.top),
-      );
-    }
-  }
-  throw new Error(`No "${text}" on the page.`);
-}
-
-/** Moves the view: the text disappears, however shortly, and comes back at rest. */
-async function awayAndBack(move: () => unknown): Promise<void> {
-  const layer = root().querySelector(".reading") as HTMLElement;
-  const states: boolean[] = [];
-  const observer = new MutationObserver(() => states.push(layer.hasAttribute("hidden")));
-  observer.observe(layer, { attributeFilter: ["hidden"] });
-  await move();
-  await eventually(() => states.at(-1)).toBe(false);
-  expect(states).toContain(true);
-  observer.disconnect();
-  await settled(element);
-}
+const boxOf = (text: string): DOMRect => boxIn(element, text);
 
 /** Returns the box of the ink on the screen within a box, CSS pixels. */
 async function inkIn(box: DOMRect): Promise<DOMRect> {
@@ -97,7 +34,7 @@ async function inkIn(box: DOMRect): Promise<DOMRect> {
   // The whole of it: after a screenshot of a part the browser has no idle time, for which
   // `convertToBlob` in each test after this one waits a second.
   drawNow();
-  const { data } = (await session().send("Page.captureScreenshot")) as { data: string };
+  const { data } = (await toolSession().send("Page.captureScreenshot")) as { data: string };
   const whole = await (await fetch(`data:image/png;base64,${data}`)).blob();
   const picture = await createImageBitmap(
     whole,
@@ -174,37 +111,6 @@ test("what is searched for is found, turned to and marked where it is printed", 
   expect(root().querySelectorAll(".mark").length).toBe(0);
 });
 
-/** The part of the browser's own interface for tools that is used here. */
-interface Session {
-  send(method: string, parameters?: object): Promise<unknown>;
-}
-const session = (): Session => cdp() as unknown as Session;
-
-/** Returns where this document lies on the outermost page, which the tools use. */
-function frame(): { x: number; y: number; scale: number } {
-  const box = frameElement?.getBoundingClientRect();
-  return { x: box?.left ?? 0, y: box?.top ?? 0, scale: box ? box.width / innerWidth : 1 };
-}
-
-/** Sends a real mouse event. */
-async function mouse(type: string, x: number, y: number, buttons: number): Promise<void> {
-  const { x: left, y: top, scale } = frame();
-  await session().send("Input.dispatchMouseEvent", {
-    type,
-    x: left + x * scale,
-    y: top + y * scale,
-    button: type === "mouseMoved" && buttons === 0 ? "none" : "left",
-    buttons,
-    clickCount: 1,
-  });
-}
-
-async function clickMouse(x: number, y: number): Promise<void> {
-  await mouse("mouseMoved", x, y, 0);
-  await mouse("mousePressed", x, y, 1);
-  await mouse("mouseReleased", x, y, 0);
-}
-
 test("zoomed, the text lies where the print is", async () => {
   const offPrint = async (): Promise<number[]> => {
     const box = boxOf("Call me");
@@ -212,7 +118,7 @@ test("zoomed, the text lies where the print is", async () => {
     return [box.left - ink.left, box.right - ink.right];
   };
   const before = await offPrint();
-  await awayAndBack(() => element.zoomTo(2, { x: 140, y: 145 }));
+  await awayAndBack(element, () => element.zoomTo(2, { x: 140, y: 145 }));
   const after = await offPrint();
   for (const side of [0, 1]) expect(Math.abs(after[side] - 2 * before[side])).toBeLessThan(3);
 });
@@ -246,11 +152,11 @@ test("what is written in a form stays, and is printed on the leaf", async () => 
     "Pequod",
   ]);
   const box = name.getBoundingClientRect();
-  await clickMouse(box.left + box.width / 2, box.top + box.height / 2);
+  await clickMouse({ x: box.left + box.width / 2, y: box.top + box.height / 2 });
   expect(root().activeElement).toBe(name);
-  await session().send("Input.insertText", { text: "MMMMMMMM" });
-  await session().send("Input.dispatchKeyEvent", { type: "keyDown", key: "ArrowRight" });
-  await session().send("Input.dispatchKeyEvent", { type: "keyUp", key: "ArrowRight" });
+  await toolSession().send("Input.insertText", { text: "MMMMMMMM" });
+  await toolSession().send("Input.dispatchKeyEvent", { type: "keyDown", key: "ArrowRight" });
+  await toolSession().send("Input.dispatchKeyEvent", { type: "keyUp", key: "ArrowRight" });
   expect(element.page).toBe(2);
   const [check] = fields<HTMLInputElement>("[type=checkbox]");
   check.click();

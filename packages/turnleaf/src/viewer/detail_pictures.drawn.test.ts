@@ -1,8 +1,19 @@
 /** How sharp pages are, measured on the canvas in real Chromium. */
 
 import { afterEach, expect, test } from "vitest";
-import { brightness, height, opened, settledViewer, width } from "../for_tests/viewer_books.ts";
+import { drawSharply } from "../for_tests/drawn_when_seen.ts";
+import {
+  brightness,
+  close,
+  height,
+  opened,
+  settledViewer,
+  type ViewedBook,
+  width,
+} from "../for_tests/viewer_books.ts";
 import type { PageBox, PageSource } from "../sources/page_source.ts";
+
+drawSharply();
 
 /** Bars on each page, alternately black and white from edge to edge. */
 const bars = 48;
@@ -48,12 +59,11 @@ function barred(): { source: PageSource; drawn: Drawing[] } {
   return { source, drawn };
 }
 
-let book: Awaited<ReturnType<typeof opened>> | null = null;
+let book: ViewedBook | null = null;
 
 afterEach(() => {
-  book?.viewer.destroy();
+  if (book) close(book);
   book = null;
-  document.body.replaceChildren();
 });
 
 /**

@@ -2,7 +2,13 @@
 
 import { afterEach, expect, test } from "vitest";
 import { eventually } from "../for_tests/eventually.ts";
-import { brightness, opened, settledViewer } from "../for_tests/viewer_books.ts";
+import {
+  brightness,
+  close,
+  opened,
+  settledViewer,
+  type ViewedBook,
+} from "../for_tests/viewer_books.ts";
 import { openSource } from "../sources/open.ts";
 
 /** Returns a page with a black square about a place of it, in fractions of the page. */
@@ -19,12 +25,11 @@ function marked(x: number, y: number): { src: string } {
 
 const mark = { x: 0.3, y: 0.25 };
 
-let book: Awaited<ReturnType<typeof opened>> | null = null;
+let book: ViewedBook | null = null;
 
 afterEach(() => {
-  book?.viewer.destroy();
+  if (book) close(book);
   book = null;
-  document.body.replaceChildren();
 });
 
 /** Opens a book of marked pages at a page. */

@@ -81,6 +81,25 @@ test("the same book is seen again when it comes back, wherever it lies by then",
   expect(element.page).toBe(6);
 });
 
+test("a book that nothing moves meanwhile is drawn again, once", async () => {
+  const element = book(scans(12), { page: "4" });
+  await happens(element, "load");
+  await settled(element);
+  const canvas = canvasOf(element);
+  const drawn = vi.spyOn(canvas.getContext("webgl2") as WebGL2RenderingContext, "clear");
+  const heard = (name: string) =>
+    new Promise((done) => canvas.addEventListener(name, done, { once: true }));
+  const lost = heard("webglcontextlost");
+  card(canvas)?.loseContext();
+  await lost;
+  expect(drawn).not.toHaveBeenCalled();
+  const restored = heard("webglcontextrestored");
+  card(canvas)?.restoreContext();
+  await restored;
+  await settled(element);
+  expect(drawn).toHaveBeenCalledOnce();
+});
+
 test("a book whose card does not come back goes on on the flat, at the same page", async () => {
   const element = book(scans(12), { page: "4", duration: "80" });
   await happens(element, "load");
