@@ -28,7 +28,8 @@ export function keepFocus(root: ShadowRoot, focus: () => void): void {
   root.host.addEventListener("focusin", (event) => {
     end();
     const [target] = event.composedPath();
-    if (!(target instanceof Element)) return;
+    // What is the tree's own root is never removed.
+    if (!(target instanceof Element) || target.parentNode === root) return;
     focused = target;
     observer.observe(root, {
       subtree: true,

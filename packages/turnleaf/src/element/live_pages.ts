@@ -95,7 +95,11 @@ export class LivePages {
   follow(viewer: Viewer, source: PageSource): void {
     const { signal } = this.#ended;
     this.#drawings?.destroy();
-    this.#drawings = new PaintedCanvases(viewer, (page) => source.element?.(page - 1));
+    this.#drawings = new PaintedCanvases(
+      viewer,
+      (page) => source.element?.(page - 1),
+      () => this.#boxes.keys(),
+    );
     const stop = viewer.onStillChange((isStill) => {
       this.#layer.classList.toggle("seen", isStill);
       if (isStill) this.#drawings?.end();

@@ -17,21 +17,35 @@ interface PaintedPage {
 export class PaintedCanvases implements LiveBitmaps {
   readonly #viewer: Viewer;
   readonly #elementOf: (page: number) => HTMLElement | null | undefined;
+  readonly #elements: () => Iterable<HTMLElement>;
   readonly #pages = new Map<number, PaintedPage>();
+  #isOn = false;
 
-  /** @param elementOf returns the element that a page (from 1) is, if it is one */
-  constructor(viewer: Viewer, elementOf: (page: number) => HTMLElement | null | undefined) {
+  /**
+   * @param elementOf returns the element that a page (from 1) is, if it is one
+   *
+   * @param elements returns those of all pages
+   */
+  constructor(
+    viewer: Viewer,
+    elementOf: (page: number) => HTMLElement | null | undefined,
+    elements: () => Iterable<HTMLElement>,
+  ) {
     this.#viewer = viewer;
     this.#elementOf = elementOf;
+    this.#elements = elements;
   }
 
-  /** Shows canvases as they look now. */
+  /** Shows canvases as they look now, if a page has any. */
   begin(): void {
-    this.#viewer.setLiveBitmaps(this);
+    this.#isOn = [...this.#elements()].some((page) => page.querySelector("canvas") !== null);
+    if (this.#isOn) this.#viewer.setLiveBitmaps(this);
   }
 
   /** Shows the pages' own pictures again. */
   end(): void {
+    if (!this.#isOn) return;
+    this.#isOn = false;
     const pages = [...this.#pages.values()];
     this.#pages.clear();
     this.#viewer.setLiveBitmaps(null);
