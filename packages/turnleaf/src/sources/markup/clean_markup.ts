@@ -10,7 +10,7 @@ import {
   mediumKindAttribute,
   styleAttribute,
 } from "../typeset/flow_book.ts";
-import { cleanAttribute, cleanCss, cleanDeclarations, joinSheets } from "./clean_css.ts";
+import { cleanAttribute, cleanCss, cleanDeclarations, joinSheets, mayLoad } from "./clean_css.ts";
 import { framePicture, frameSize } from "./frame_picture.ts";
 import { withoutPrefixes } from "./prefixed_css.ts";
 
@@ -75,10 +75,10 @@ export async function cleanMarkup(
     if (language !== null && !element.hasAttribute("lang")) element.setAttribute("lang", language);
     element.removeAttribute("style");
     if (element.hasAttribute(styleAttribute)) await cleanStyle(element, files);
-    for (const attribute of [...element.attributes]) {
+    for (const attribute of [...element.attributes].filter(mayLoad)) {
       const clean = await cleanAttribute(attribute, (to) => files.data(to));
       if (clean === null) element.removeAttributeNode(attribute);
-      else if (clean !== attribute.value) attribute.value = clean;
+      else attribute.value = clean;
     }
   }
   purify.sanitize(root, {
