@@ -104,16 +104,18 @@ const [probe] = (() => {
   return [...sheet.cssRules] as [CSSStyleRule];
 })();
 
-/**
- * Returns the value of an attribute, cleaned alike, where the attribute is a property of CSS, as those that
- * present drawings are; null if it would load anything else. Any other attribute stays.
- */
+/** Returns whether an attribute is a property of CSS, as those that present drawings are, and could load anything. */
+export function mayLoad({ name, value }: Attr): boolean {
+  // Data of pictures is long, and has neither.
+  const isCandidate = value.includes("\\") || (value.includes("(") && loading.test(value));
+  return isCandidate && CSS.supports(name, "inherit");
+}
+
+/** Returns the value of an attribute that is a property, cleaned alike; null if it would load anything else. */
 export async function cleanAttribute(
   { name, value }: Attr,
   resolve: ResolveCss,
 ): Promise<string | null> {
-  const mayLoad = loading.test(value) || value.includes("\\");
-  if (!mayLoad || !CSS.supports(name, "inherit")) return value;
   probe.style.setProperty(name, value);
   const parsed = probe.style.getPropertyValue(name);
   probe.style.removeProperty(name);

@@ -18,6 +18,7 @@ import {
   cleanDeclarations,
   cssOf,
   inMedia,
+  mayLoad,
   readSheets,
 } from "./clean_css.ts";
 import { framePicture, frameSize } from "./frame_picture.ts";
@@ -92,11 +93,12 @@ export async function cleanMarkup(
     element.removeAttribute("style");
     if (element.hasAttribute(styleAttribute)) await cleanStyle(element, files);
     for (const attribute of [...element.attributes]) {
-      const clean = isXmlAttribute(attribute)
-        ? await cleanAttribute(attribute, (to) => files.data(to))
-        : null;
+      if (!isXmlAttribute(attribute)) element.removeAttributeNode(attribute);
+    }
+    for (const attribute of [...element.attributes].filter(mayLoad)) {
+      const clean = await cleanAttribute(attribute, (to) => files.data(to));
       if (clean === null) element.removeAttributeNode(attribute);
-      else if (clean !== attribute.value) attribute.value = clean;
+      else attribute.value = clean;
     }
   }
   purify.sanitize(root, {
