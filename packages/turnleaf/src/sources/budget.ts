@@ -200,13 +200,16 @@ class Count {
       rules,
       this.#sheets.some((css) => css.includes("attr(")) ? this.#elements : [],
     );
-    let generated = 0;
+    let [generated, compared] = [0, 0];
     for (const { selectorText, style } of rules) {
       const added = values.lengthOf(style.getPropertyValue("content"));
       const text = style.cssText.replace(dataAddress, "");
       this.#checkDeclarations(text, values);
       const isDrawn = layered.test(text) || text.includes("url(");
       if (added <= mostGenerated / limits.elements && !isDrawn) continue;
+      compared += this.#elements.length;
+      // Found here, they take ten times as long as in the layout.
+      if (compared > mostSteps / 10) this.#refuse("its style has too many rules for its elements");
       const matched = this.#matching(selectorText);
       generated += added * matched.length;
       if (generated > mostGenerated) this.#refuse("its style adds too much text");
@@ -335,7 +338,9 @@ class Values {
     for (const { style } of rules) {
       for (const name of style) {
         if (!name.startsWith("--")) continue;
-        this.#custom.set(name, [...(this.#custom.get(name) ?? []), style.getPropertyValue(name)]);
+        const values = this.#custom.get(name) ?? [];
+        this.#custom.set(name, values);
+        values.push(style.getPropertyValue(name));
       }
     }
     let longest = 0;
