@@ -14,7 +14,11 @@ fn the_papers_leaf_moves_as_its_text_says() {
         .arg(script)
         .output()
         .expect("node is installed");
-    assert!(run.status.success(), "{}", String::from_utf8_lossy(&run.stderr));
+    assert!(
+        run.status.success(),
+        "{}",
+        String::from_utf8_lossy(&run.stderr)
+    );
     let text = String::from_utf8(run.stdout).expect("JSON is text");
     let numbers: Vec<f64> = text
         .split(['[', ']', ',', '\n'])
@@ -34,7 +38,9 @@ fn the_papers_leaf_moves_as_its_text_says() {
         }
         leaf.read_nodes(&mut places, &mut velocities);
         let apart = places.iter().zip(moment);
-        let most = apart.fold(0.0, |most, (own, other)| f64::max(most, (f64::from(*own) - other).abs()));
+        let most = apart.fold(0.0, |most, (own, other)| {
+            f64::max(most, (f64::from(*own) - other).abs())
+        });
         assert!(most < SINGLE, "{most} apart after {second} s");
     }
 }
