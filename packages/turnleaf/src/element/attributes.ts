@@ -5,6 +5,7 @@ import { readStocks } from "../book/leaf_stocks.ts";
 import { isStock, type Paper } from "../book/paper.ts";
 import { type Stock, type TearLine, tearLines } from "../engine/shapes.ts";
 import type { Gesture } from "../input/target.ts";
+import { metresIn } from "../metres.ts";
 import { typographyAttributes } from "./typography.ts";
 
 /** The attributes of the binding. */
@@ -92,6 +93,7 @@ export const attributes: Readonly<
   duration: (effects) => effects.changePace(),
   stock: (effects) => effects.changePaper(),
   assist: (effects) => effects.changePaper(),
+  "page-width": (effects) => effects.changePaper(),
   model: (effects) => effects.changeModel(),
   "model-src": (effects) => effects.changeModel(),
   address: (effects) => effects.keepPlace(),
@@ -116,7 +118,12 @@ export function tearLineOf(element: Element): TearLine | null {
 
 /** Returns the paper that the attributes name. */
 export function paperOf(element: Element): Paper {
-  return { stock: stockOf(element), assist: element.getAttribute("assist") !== "off" };
+  const pageWidth = metresIn(element.getAttribute("page-width") ?? "");
+  return {
+    stock: stockOf(element),
+    assist: element.getAttribute("assist") !== "off",
+    ...(pageWidth === undefined ? {} : { pageWidth }),
+  };
 }
 
 /**

@@ -230,6 +230,9 @@ async function describe(task: PDFDocumentLoadingTask, input: PdfInput): Promise<
   };
 }
 
+const pointsInInch = 72;
+const metresInInch = 0.0254;
+
 class PdfSource implements PageSource {
   readonly title: string;
   readonly details: readonly BookDetail[];
@@ -269,6 +272,10 @@ class PdfSource implements PageSource {
 
   async size(index: number, signal?: AbortSignal): Promise<PageSize> {
     return this.#sizeOf(await this.#page(index, signal), index);
+  }
+
+  widthInMetres(size: PageSize): number {
+    return (size.width / pointsInInch) * metresInInch;
   }
 
   label(index: number): string {
