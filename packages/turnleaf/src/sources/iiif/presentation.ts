@@ -150,7 +150,10 @@ export function parsePresentation(
 
 /** Returns the metres in a unit of a canvas by its service Physical Dimensions; undefined without one. */
 function metresInUnit({ service, services }: Value = {}): number | undefined {
-  for (const one of [...objectsIn(service ?? [], mostLists), ...objectsIn(services ?? [], mostLists)]) {
+  for (const one of [
+    ...objectsIn(service ?? [], mostLists),
+    ...objectsIn(services ?? [], mostLists),
+  ]) {
     const { profile, physicalScale, physicalUnits } = one;
     if (typeof profile !== "string" || !profile.includes("/services/physdim")) continue;
     return metresOf(Number(physicalScale), String(physicalUnits));
