@@ -73,8 +73,8 @@ function costs() {
 
 function table1() {
   const variants = [
-    ["masses, interpolated for every displayed frame", ["--interpolate", "frame"]],
-    ["masses, interpolated once a key frame", []],
+    ["the paper's way: masses, interpolated for every displayed frame", []],
+    ["masses, interpolated once a key frame", ["--interpolate", "key-frame"]],
     ["surface", ["--frames", "surface"]],
   ];
   const rows = variants.map(([label, args]) => {

@@ -7,21 +7,32 @@
 //! force is bounded, so that no pull however wild overwhelms the solver.
 
 use crate::real::Real;
+use crate::stock::GRAVITY;
 
 /// Radius of a finger pad, metres.
 pub(crate) const RADIUS: f64 = 0.02;
 
-/// Stiffness of all springs of a hand together, N/m.
-pub(crate) const STIFFNESS: f64 = 30.0;
+/// Stiffness of all springs of a hand together, N/m, unless it is stronger than a finger.
+const STIFFNESS: f64 = 30.0;
 
-/// Greatest force of any hand, N, and in weights of the leaf: a finger that would
+/// Greatest force of a finger, N, and of any hand in weights of the leaf: a finger that would
 /// lift book paper easily would tear bible paper.
-pub(crate) const STRONGEST: f64 = 0.5;
+const STRONGEST: f64 = 0.5;
 const WEIGHTS: f64 = 14.0;
 
-/// Greatest force of a hand, N, on a leaf that weighs `weight` N.
-pub(crate) fn strongest(weight: f64) -> f64 {
-    (WEIGHTS * weight).min(STRONGEST)
+/// Area of the largest leaf that a finger turns, m^2: A5. A larger one is turned by more in proportion.
+const FINGER_AREA: f64 = 0.148 * 0.21;
+
+/// Greatest force of a hand, N, on a leaf of `grammage` kg/m^2 and `area` m^2.
+pub(crate) fn strongest(grammage: f64, area: f64) -> f64 {
+    let fingers = (area / FINGER_AREA).max(1.0);
+    (WEIGHTS * grammage * GRAVITY * area).min(STRONGEST * fingers)
+}
+
+/// Stiffness of a hand whose greatest force is `strength`, N/m: one that is stronger than a finger
+/// is not farther from its place for that.
+pub(crate) fn stiffness_for(strength: f64) -> f64 {
+    STIFFNESS * (strength / STRONGEST).max(1.0)
 }
 
 /// A node under the pad.
@@ -84,13 +95,8 @@ pub(crate) fn pad_over<T: Real>(
     pressed.into_iter().map(of).collect()
 }
 
-/// The stiffness that a hand has when it is `away` metres from what it holds:
+/// The stiffness that a hand of stiffness `most` has when it is `away` metres from what it holds:
 /// less where its force would be beyond `strongest`, N.
-pub(crate) fn stiffness<T: Real>(away: T, strongest: T) -> T {
-    bounded_stiffness(T::of(STIFFNESS), away, strongest)
-}
-
-/// The same of a hand whose stiffness is `most`, N/m, where its force is not bounded.
 pub(crate) fn bounded_stiffness<T: Real>(most: T, away: T, strongest: T) -> T {
     most.min(strongest / away.max(T::of(1e-9)))
 }
@@ -111,9 +117,13 @@ mod tests {
 
     #[test]
     fn a_hand_is_no_stronger_than_its_greatest_force() {
-        assert_eq!(stiffness(0.001f64, 0.5), STIFFNESS);
-        assert!((stiffness(0.3f64, 0.4) * 0.3 - 0.4).abs() < 1e-12);
-        assert_eq!(strongest(1.0), STRONGEST);
-        assert!((strongest(0.01) - 0.01 * WEIGHTS).abs() < 1e-12);
+        assert_eq!(bounded_stiffness(STIFFNESS, 0.001, 0.5), STIFFNESS);
+        assert!((bounded_stiffness(STIFFNESS, 0.3, 0.4) * 0.3 - 0.4).abs() < 1e-12);
+        assert_eq!(strongest(1.0, FINGER_AREA), STRONGEST);
+        assert!((strongest(0.01, 0.01) - 1e-4 * GRAVITY * WEIGHTS).abs() < 1e-12);
+        // Ten times as long and wide it takes a hundred fingers, and gives way as far.
+        let strong = strongest(1.0, 100.0 * FINGER_AREA);
+        assert_eq!(strong, 100.0 * STRONGEST);
+        assert_eq!(strong / stiffness_for(strong), STRONGEST / STIFFNESS);
     }
 }

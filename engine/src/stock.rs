@@ -17,6 +17,9 @@ const GRAIN_RATIO: f64 = 2.25;
 /// Least bending stiffness that a stock may have, N m.
 pub(crate) const SOFTEST: f64 = 1e-8;
 
+/// Greatest bending stiffness that a stock may have, N m.
+pub(crate) const STIFFEST: f64 = 10.0;
+
 /// Which way the fibres of a leaf lie.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Grain {
@@ -158,14 +161,14 @@ impl Stock {
                 "N m",
                 self.stiffness_along,
                 SOFTEST,
-                10.0,
+                STIFFEST,
             ),
             (
                 "stiffness across the grain",
                 "N m",
                 self.stiffness_across,
                 SOFTEST,
-                10.0,
+                STIFFEST,
             ),
             ("Poisson ratio", "", self.poisson, 0.0, 0.499),
             ("friction", "", self.friction, 0.0, 2.0),

@@ -12,15 +12,19 @@
 //! With `--model` the same is measured of another model: the leaf of a book, 140 x
 //! 210 mm, turned by its fore-edge, and frames of its surface.
 //!
+//! A replay interpolates every drawn frame, as the paper's does (steps 7 and 8 of its experiment);
+//! `--interpolate key-frame` does so once a key frame.
+//!
 //! A turn takes about a millisecond, so each run repeats it, live and replayed
-//! in alternation, and states the median turn, which other work on
-//! the machine disturbs least.
+//! in alternation, and states the median turn, in time of the processor: other work on
+//! the machine disturbs it least.
 
 use std::fmt::{self, Display, Formatter};
 use std::hint::black_box;
 use std::time::Instant;
 
 use clap::{Args, ValueEnum};
+use cpu_time::ThreadTime;
 use serde::Serialize;
 use turnleaf_engine::{
     Blend, Condensed, FrameKind, KeyFrames, LooseLeaf, MassSpring, PAPER_INTERVAL, Recorder,
@@ -55,7 +59,7 @@ pub struct Options {
     #[arg(long, default_value = "linear", value_parser = ["linear", "hermite"])]
     blend: String,
     /// When a replay of masses interpolates.
-    #[arg(long, default_value = "key-frame", value_parser = ["key-frame", "frame"])]
+    #[arg(long, default_value = "frame", value_parser = ["key-frame", "frame"])]
     interpolate: String,
     /// The paper's leaf, or a loose one of any model, whose key frames hold the surface.
     #[arg(long, default_value = "paper", value_parser = options::model_kind_or_paper())]
@@ -337,7 +341,7 @@ fn measure(
 }
 
 fn milliseconds(work: impl FnOnce()) -> f64 {
-    let clock = Instant::now();
+    let clock = ThreadTime::now();
     work();
     clock.elapsed().as_secs_f64() * 1e3
 }
@@ -356,7 +360,7 @@ impl Display for Report {
         } = self;
         writeln!(
             out,
-            "One turn of {model}, {seconds} s, {frames_per_turn} drawn frames of 676 points; ms a turn, median of {TURNS} turns a run."
+            "One turn of {model}, {seconds} s, {frames_per_turn} drawn frames of 676 points; ms of processor time a turn, median of {TURNS} turns a run."
         )?;
         let apart = match self.keys {
             Keys::Condensed => "where the motion needs them",

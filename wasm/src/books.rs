@@ -126,6 +126,11 @@ book_functions! {
     fn tl_book_set_assist(book, on: u32) {
         change(book, |paper| paper.assist = on != 0);
     }
+    /// Has leaves move as in a book so many times as large as book space: 0.02 to 50. Returns 1, or
+    /// 0 if it is not between these, and nothing changes.
+    fn tl_book_set_scale(book, scale: f64) -> u32 {
+        change(book, |paper| paper.scale = scale).into()
+    }
     /// Lays the book open with `read` leaves, or all there are, on the left and none in
     /// flight.
     fn tl_book_lay(book, read: u32) { book.lay(read) }

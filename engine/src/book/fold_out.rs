@@ -17,12 +17,11 @@ use super::limits::{NODES, TICK};
 use super::paper::Paper;
 use super::stillness::{STILL, Stillness};
 use super::surroundings::{Surroundings, TableAround};
-use crate::grab::{STIFFNESS, STRONGEST, strongest};
+use crate::grab::{stiffness_for, strongest};
 use crate::grid::Side;
 use crate::interpolate::uniform_samples;
 use crate::models::sheet::{CAN_CREASE, FoldLine, Root, Sheet, SheetSettings};
 use crate::rigidity::Rigidity;
-use crate::stock::GRAVITY;
 use crate::surface::Surface;
 use crate::turn::TurnModel;
 use crate::vector::dot;
@@ -399,10 +398,9 @@ fn inward(direction: f32) -> f32 {
 /// a leaf of its weight, or as much firmer as folds between so many panels need.
 fn hand_for(settings: &SheetSettings, line: &FoldLine, panels: usize) -> [f32; 2] {
     let SheetSettings { width, height, .. } = *settings;
-    let weight = settings.stock.grammage * GRAVITY * width * height;
     let to_yield = line.stiffness * line.yields * height / width * panels as f64;
-    let force = strongest(weight).max(FIRM * to_yield);
-    [STIFFNESS * (force / STRONGEST).max(1.0), force].map(|figure| figure as f32)
+    let force = strongest(settings.stock.grammage, width * height).max(FIRM * to_yield);
+    [stiffness_for(force), force].map(|figure| figure as f32)
 }
 
 /// A place at the foot of the uppermost page of a side, at `u` of its width, in book space.

@@ -9,6 +9,7 @@
 mod course;
 mod fall;
 mod held;
+mod lead;
 mod opening;
 mod play;
 mod pressed;
@@ -67,8 +68,11 @@ pub struct Leaf {
     drift: Vec<f32>,
     /// Seconds of easing to rest so far, once it has landed.
     settling: Option<f32>,
-    /// How hard it is helped over: 1 after a grab, more after a quick turn.
-    haste: f32,
+    /// How long that takes, seconds.
+    settle_time: f32,
+    /// Seconds after which it is due on its side, 0 once they have gone by; None where its weight
+    /// decides alone.
+    due: Option<f32>,
     /// Ticks since it was let go.
     fallen: u32,
     /// Whether a grab of its own has turned it over since it was last sent elsewhere, as
@@ -147,7 +151,8 @@ impl Leaf {
             watched_ticks: 0,
             drift: vec![0.0; flat.len()],
             settling: None,
-            haste: 1.0,
+            settle_time: 0.0,
+            due: None,
             fallen: 0,
             turned_over: false,
             put_down: false,
@@ -437,7 +442,7 @@ impl Leaf {
     /// Wakes a leaf that rested upon one that moves now.
     pub fn wake(&mut self) {
         if let Phase::Resting(side) = self.phase {
-            self.fall(side, 1.0);
+            self.fall(side, self.paper.assist.then_some(0.0));
         }
     }
 
@@ -462,6 +467,7 @@ impl Leaf {
         if !matches!(self.phase, Phase::Resting(_)) {
             self.step_opening();
         }
+        self.come_due();
         match self.phase {
             Phase::Resting(_) => return,
             Phase::Held => {

@@ -164,7 +164,8 @@ impl Book {
         }
         self.change(|pattern| {
             pattern.paper = *paper;
-            pattern.stocks.bind(paper.grain, pattern.size[0]);
+            let width = pattern.size[0] * paper.scale;
+            pattern.stocks.bind(paper.grain, width);
         });
         true
     }
@@ -183,8 +184,8 @@ impl Book {
         }
         let mut is_set = false;
         self.change(|pattern| {
-            let grain = pattern.paper.grain;
-            is_set = pattern.stocks.set(leaves, *stock, grain, pattern.size[0]);
+            let (grain, width) = (pattern.paper.grain, pattern.size[0] * pattern.paper.scale);
+            is_set = pattern.stocks.set(leaves, *stock, grain, width);
         });
         is_set
     }

@@ -1,10 +1,11 @@
 //! What a book's leaves are made of, and how finely each is simulated.
 
-use super::limits::{NODES, TICK};
+use super::limits::{NODES, TICK, slowness};
 use crate::air::Air;
+use crate::grab::strongest;
 use crate::models::sheet::{Root, SheetSettings};
 use crate::rigidity::Rigidity;
-use crate::stock::{Grain, Stock};
+use crate::stock::{Grain, SOFTEST, STIFFEST as STIFFEST_STOCK, Stock};
 
 /// Leaves that fly at once in short steps, at most, so that they move as the shell does;
 /// where there are more each has one step in a tick, and ten fit into a frame.
@@ -54,6 +55,9 @@ pub struct Paper {
     /// Whether a leaf let go is helped over to its side. Without it, it goes
     /// where its own motion and gravity take it.
     pub assist: bool,
+    /// Lengths of the book that is shown over those of book space, 0.02 to 50: leaves move as in a
+    /// book so many times as large. Thickness and hands' speed are those of book space.
+    pub scale: f64,
 }
 
 impl Default for Paper {
@@ -64,6 +68,7 @@ impl Default for Paper {
             binding: BINDING,
             wind: [0.0; 3],
             assist: true,
+            scale: 1.0,
         }
     }
 }
@@ -83,7 +88,14 @@ impl Paper {
         flying: usize,
     ) -> SheetSettings {
         let steps = self.steps(width, flying);
-        let sheet = SheetSettings::leaf(width, height, self.stock);
+        // Against a narrow leaf, which weighs less, the binding is as weak as against the usual one.
+        let narrowness = f64::from(self.slowness(width)).powi(4).min(1.0);
+        let sheet = SheetSettings::leaf(width, height, self.model_stock());
+        // As much of the air as the large leaf meets for its weight, and hands as strong for it.
+        let air = Air::still(width);
+        let [area, square] = [width * height, self.scale * self.scale];
+        let strength = |area: f64| strongest(self.stock.grammage, area);
+        let hands = strength(area * square) / (square * self.scale * strength(area));
         let (shear_sweeps, stiffest) = match flying {
             _ if flying > FEW => (SHEAR_SWEEPS_OF_MANY, STIFFNESS_OF_MANY),
             2.. => (SHEAR_SWEEPS_OF_FEW, STIFFEST),
@@ -95,10 +107,14 @@ impl Paper {
             time_step: f64::from(TICK) / f64::from(steps),
             shear_sweeps,
             grain: self.grain,
-            root: Root::Hinged(self.binding),
+            gravity: sheet.gravity.map(|g| g / self.scale),
+            hands,
+            root: Root::Hinged(self.binding * narrowness / (square * self.scale)),
             air: Air {
-                wind: self.wind,
-                ..Air::still(width)
+                wind: self.wind.map(|w| w / self.scale),
+                density: air.density * self.scale,
+                added_mass: air.added_mass * self.scale,
+                ..air
             },
             ..sheet
         };
@@ -107,10 +123,28 @@ impl Paper {
             .stiffened(STIFFNESS, stiffest)
     }
 
+    /// The stock of which a leaf in book space, on which everything acts so many times as little as
+    /// it is smaller, bends as the large one does.
+    fn model_stock(&self) -> Stock {
+        let square = self.scale * self.scale;
+        let bent = |stiffness: f64| (stiffness / (square * square)).clamp(SOFTEST, STIFFEST_STOCK);
+        Stock {
+            stiffness_along: bent(self.stock.stiffness_along),
+            stiffness_across: bent(self.stock.stiffness_across),
+            ..self.stock
+        }
+    }
+
+    /// Times of falls and of hands on a leaf `width` metres wide in book space over those on one of
+    /// the usual width.
+    pub(super) fn slowness(&self, width: f64) -> f32 {
+        slowness(width * self.scale)
+    }
+
     /// Steps in a tick of a leaf of it, `width` metres wide, while so many are in the air.
     pub(super) fn steps(&self, width: f64, flying: usize) -> u32 {
-        let rate =
-            Rigidity::of(&self.stock, self.grain).first_frequency(self.stock.grammage, width);
+        let rate = Rigidity::of(&self.stock, self.grain)
+            .first_frequency(self.stock.grammage, width * self.scale);
         match flying {
             _ if flying > FEW => 1,
             2.. => STEPS,
@@ -123,6 +157,7 @@ impl Paper {
     pub(super) fn is_sound(&self) -> bool {
         self.stock.check().is_ok()
             && (0.0..=1.0).contains(&self.binding)
+            && (0.02..=50.0).contains(&self.scale)
             && self.wind.iter().all(|w| (-20.0..=20.0).contains(w))
     }
 }

@@ -1,26 +1,26 @@
 //! A leaf let go: helped over, fallen, eased to rest.
 
 use super::Leaf;
+use super::lead::LYING;
+use super::play::USUAL;
 use crate::book::flaps::Flaps;
 use crate::book::limits::{MAX_GRABS, NODES, TICK};
 use crate::book::phase::Phase;
 use crate::grid::Side;
 use crate::models::sheet::CAN_CREASE;
 
-/// Acceleration at the fore-edge by which a released leaf is helped over, m/s^2.
-const ASSIST: f32 = 14.0;
-
-/// A leaf nearer to rest than this (metres) and slower than this (m/s)
-/// everywhere is eased to rest within `SETTLE_SECONDS`; so is one that has
-/// fallen for `LONGEST_FALL` ticks, over a longer time.
-const NEAR: f32 = 0.0025;
+/// A leaf nearer to rest than this part of its width and slower than this (m/s, of one of the usual
+/// width) everywhere is eased to rest within `SETTLE_SECONDS`; so is one of the usual width that
+/// has fallen for `LONGEST_FALL` seconds.
+const NEAR: f32 = 0.018;
 const SLOW: f32 = 0.35;
 const SETTLE_SECONDS: f32 = 0.15;
-const LONGEST_FALL: u32 = 300;
 
-/// A leaf wider than this (metres) is near to rest at a distance in proportion: what is
-/// small beside it.
-const WIDE: f32 = 0.21;
+/// The hand that leads a leaf puts it down in the last seconds before it is due, as soon as no node
+/// has to be faster for that than a hand, m/s.
+const PUT_DOWN_SECONDS: f32 = 0.05;
+const PUT_DOWN_SPEED: f32 = 3.0;
+const LONGEST_FALL: f32 = 2.5;
 
 /// A leaf that has fallen for so many ticks, and has more than this part of the half turn
 /// to go, and less than this rate of it (1/s), lies there: what helps it over is weaker
@@ -33,8 +33,8 @@ const LYING_RATE: f32 = 0.2;
 const HELD_UP_TO_GO: f32 = 0.25;
 
 impl Leaf {
-    /// Lets the leaf fall to a side.
-    pub(super) fn fall(&mut self, to: Side, haste: f32) {
+    /// Lets the leaf fall to a side, led there in `seconds` where they are given.
+    pub(super) fn fall(&mut self, to: Side, seconds: Option<f32>) {
         if self.phase != Phase::Falling(to) {
             self.end_open_anew();
         }
@@ -50,7 +50,7 @@ impl Leaf {
                 self.turned_over = false;
             }
         }
-        self.haste = haste;
+        self.due = seconds;
         self.phase = Phase::Falling(to);
         self.stay_awake();
     }
@@ -62,7 +62,7 @@ impl Leaf {
         }
         self.end_open_anew();
         self.settling = None;
-        let side = if self.paper.assist || self.is_overdue() {
+        let side = if self.due.is_some() || self.is_overdue() {
             side
         } else {
             self.side_ahead()
@@ -70,23 +70,28 @@ impl Leaf {
         self.phase = Phase::Falling(side);
         if has_way && self.lies_across_from(side) {
             self.turned_over = true;
-            self.turn(side, self.haste);
+            self.turn(side, USUAL);
             self.step_playing(side);
             return;
         }
-        self.help_over(side);
+        self.lead(side);
         self.step_sheet();
         self.fallen += 1;
         let landed = if self.may_be_held_up() {
             self.lies_held_up(side)
         } else {
-            let near = NEAR * (self.sheet.settings().width as f32 / WIDE).max(1.0);
-            self.height_over_rest(side) < near && self.sheet.greatest_speed() < SLOW
+            let slow = SLOW * self.slowness() / self.paper.scale as f32;
+            let is_slow = self.sheet.greatest_speed() < slow;
+            let height = self.height_over_rest(side);
+            let is_near = height < NEAR * self.sheet.settings().width as f32;
+            is_slow && is_near || self.is_put_down(side, height, is_slow)
         };
         if supported && (landed || self.is_overdue()) {
             self.landed.copy_from_slice(self.sheet.positions());
             self.find_rest(side, landed);
             self.settling = Some(0.0);
+            let due = self.due.filter(|due| *due > 0.0);
+            self.settle_time = due.unwrap_or(SETTLE_SECONDS).min(SETTLE_SECONDS);
             // What was put down through itself and opened anew was put down.
             self.put_down = !landed || (self.was_opened_anew && self.put_down);
             self.opens_anew = false;
@@ -94,10 +99,21 @@ impl Leaf {
         }
     }
 
+    /// Whether the hand that leads it puts it down now, `height` metres from its place of rest: in
+    /// time, or where limp paper lies still before it lies flat.
+    fn is_put_down(&self, side: Side, height: f32, is_slow: bool) -> bool {
+        self.due.is_some_and(|due| match due {
+            0.0 => is_slow && self.to_go(side) < LYING,
+            // Its way slows down evenly to a stop, from twice its mean speed.
+            _ => due <= PUT_DOWN_SECONDS && height < 0.5 * PUT_DOWN_SPEED * due,
+        })
+    }
+
     /// Whether it has fallen for as long as a leaf may: it is put down as soon as what lies
     /// under it is down, on the side that it is headed for by then.
     pub fn is_overdue(&self) -> bool {
-        matches!(self.phase, Phase::Falling(_)) && self.fallen > LONGEST_FALL
+        let longest = LONGEST_FALL * self.slowness();
+        matches!(self.phase, Phase::Falling(_)) && self.fallen as f32 * TICK > longest
     }
 
     /// Turns a falling leaf toward a side. It has fallen for as long as before.
@@ -117,11 +133,11 @@ impl Leaf {
     /// Whether a leaf lies on its side as still as it will: what folds hold up rests above the
     /// pile.
     fn lies_held_up(&self, side: Side) -> bool {
-        let to_go = match side {
-            Side::Left => 1.0 - self.turned,
-            Side::Right => self.turned,
-        };
-        to_go < HELD_UP_TO_GO && self.opening.is_none() && (self.lies_still() || self.is_slow())
+        let is_led = self.due.is_some_and(|due| due > 0.0);
+        self.to_go(side) < HELD_UP_TO_GO
+            && !is_led
+            && self.opening.is_none()
+            && (self.lies_still() || self.is_slow())
     }
 
     /// Finds where the leaf, which has landed on a side or not, is eased to rest: flat on the
@@ -155,44 +171,11 @@ impl Leaf {
     /// Whether it lies on the other side than it is headed for, and no grab of its own has
     /// tried to turn it over yet.
     fn lies_across_from(&self, side: Side) -> bool {
-        let to_go = match side {
-            Side::Left => 1.0 - self.turned,
-            Side::Right => self.turned,
-        };
-        self.paper.assist
+        self.due.is_some()
             && !self.turned_over
             && self.fallen >= LYING_TICKS
-            && to_go > LYING_TO_GO
+            && self.to_go(side) > LYING_TO_GO
             && self.turn_rate.abs() < LYING_RATE
-    }
-
-    /// Pushes the leaf round the spine toward a side, most at the fore-edge and
-    /// less the farther it has come, where its weight does the rest.
-    fn help_over(&mut self, side: Side) {
-        let (to_go, sign) = match side {
-            Side::Left => (1.0 - self.turned, 1.0),
-            Side::Right => (self.turned, -1.0),
-        };
-        let strength = ((to_go - 0.1) / 0.3).clamp(0.0, 1.0) * ASSIST * self.haste;
-        let strength = if self.paper.assist {
-            sign * strength
-        } else {
-            0.0
-        };
-        let settings = self.sheet.settings();
-        // The air that a leaf carries along has to be helped over with it.
-        let density = (settings.stock.grammage + settings.air.added_mass) as f32;
-        let cell = (settings.width / (NODES[0] - 1) as f64) as f32
-            * (settings.height / (NODES[1] - 1) as f64) as f32;
-        let (positions, loads) = self.sheet.load_state();
-        let nodes = positions.as_chunks::<3>().0;
-        for (node, (x, load)) in nodes.iter().zip(loads.chunks_exact_mut(3)).enumerate() {
-            let column = node % NODES[0];
-            let radius = (x[0] * x[0] + x[2] * x[2]).sqrt().max(1e-6);
-            let part = column as f32 / (NODES[0] - 1) as f32;
-            let push = strength * density * cell * part / radius;
-            load.copy_from_slice(&[-push * x[2], 0.0, push * x[0]]);
-        }
     }
 
     fn step_settling(&mut self, side: Side) {
@@ -200,7 +183,7 @@ impl Leaf {
             return;
         };
         *time += TICK;
-        let t = (*time / SETTLE_SECONDS).min(1.0);
+        let t = (*time / self.settle_time).min(1.0);
         if t >= 1.0 {
             if self.settle_pressed(side) {
                 return;
@@ -216,7 +199,12 @@ impl Leaf {
             self.put_down = put_down;
             return;
         }
-        let eased = t * t * (3.0 - 2.0 * t);
+        // A hand that puts it down goes on as it led it.
+        let eased = if self.due.is_some() {
+            t * (2.0 - t)
+        } else {
+            t * t * (3.0 - 2.0 * t)
+        };
         if self.lowering > 0.0 {
             let lowered = lowered(&self.landed, side, eased * self.lowering);
             self.sheet.place(lowered);
@@ -228,7 +216,7 @@ impl Leaf {
     }
 
     /// Greatest distance of a node from its place of rest on a side, metres.
-    fn height_over_rest(&self, side: Side) -> f32 {
+    pub(super) fn height_over_rest(&self, side: Side) -> f32 {
         let states = self.sheet.positions().iter().zip(&self.flat);
         let apart = states.enumerate().map(|(k, (x, flat))| {
             let rest = if k % 3 == 0 {

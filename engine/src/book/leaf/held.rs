@@ -72,7 +72,8 @@ impl Leaf {
         self.stay_awake();
         let is_held = (0..MAX_GRABS as u32).any(|grab| self.sheet.held_place(grab).is_some());
         if !is_held && self.phase == Phase::Held {
-            self.fall(self.side_ahead(), 1.0);
+            let side = self.side_ahead();
+            self.fall(side, self.help_to(side));
         }
     }
 

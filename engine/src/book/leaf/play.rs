@@ -19,11 +19,13 @@ const PLACES: [[f32; 2]; 5] = [
     [0.5, 0.5],
 ];
 
-/// Part of a turn's duration that the grab leads the leaf; the rest of it the
-/// leaf falls.
-const LED: f32 = 0.85;
+/// Part of a turn's duration, and the most seconds of one of a leaf of the usual width, by which
+/// the grab is there before the leaf lies.
+const AHEAD: f32 = 0.15;
+const LONGEST_AHEAD: f32 = 0.12;
 
-/// Part of its way at which the grab lets go.
+/// Part of its way from which on the grab lets go, if what is left of the turn is no longer than a
+/// released leaf is led down in; else it leads the leaf until it is nearly there.
 const LET_GO: f32 = 0.8;
 
 /// How far the grab is drawn in toward the spine half-way, as part of the
@@ -34,54 +36,76 @@ const RISE: f32 = 0.05;
 /// Shortest turn, seconds.
 const SHORTEST: f32 = 0.2;
 
-/// Length of a turn after which a leaf falls without haste, seconds.
-const UNHURRIED: f32 = 0.8;
+/// Length of a turn for which no number is given, seconds.
+pub(super) const USUAL: f32 = 0.8;
 
 impl Leaf {
-    /// Takes the leaf to a side: from rest by a grab of its own, `seconds` (0.2 to
-    /// 600, 0.8 where they are not finite) long; a turn that it is in goes on at that pace, backward if
-    /// need be; a leaf that is held or falls is let fall there.
+    /// Takes the leaf to a side by a grab of its own, so that it lies there after `seconds` (0.2 to
+    /// 600, 0.8 where they are not finite) if nothing stops it; a turn that it is in goes on at that
+    /// pace, backward if need be, and so does a leaf that is held or falls.
     pub fn play(&mut self, to: Side, seconds: f32) {
         let seconds = if seconds.is_finite() {
             seconds.clamp(SHORTEST, LONGEST_TURN)
         } else {
-            UNHURRIED
+            USUAL
         };
-        let rate = 1.0 / (LED * seconds);
-        let rate = if to == Side::Left { rate } else { -rate };
         match self.phase {
             Phase::Resting(side) if side == to => {}
             Phase::Resting(from) => {
                 let time = if from == Side::Right { 0.0 } else { 1.0 };
                 self.was_opened_anew = false;
-                self.start_course(Course { time, rate });
-                self.phase = Phase::Playing(to);
+                self.take(time, to, seconds);
             }
             Phase::Playing(_) => {
-                if let Some(course) = &mut self.course {
-                    course.rate = rate;
-                    self.phase = Phase::Playing(to);
+                if let Some(course) = self.course {
+                    self.send(course.time, to, seconds);
                 }
             }
-            Phase::Held | Phase::Falling(_) => self.fall(to, (UNHURRIED / seconds).max(1.0)),
+            Phase::Held | Phase::Falling(_) => {
+                let due = seconds * self.to_go(to);
+                self.fall(to, Some(due));
+                if self.is_carried(due, to) {
+                    self.turn(to, seconds);
+                }
+            }
         }
     }
 
-    /// Has a grab of its own turn the leaf to a side from where it is.
-    pub(super) fn turn(&mut self, to: Side, haste: f32) {
-        let rate = haste / (LED * UNHURRIED);
-        let rate = if to == Side::Left { rate } else { -rate };
+    /// Has a grab of its own turn the leaf to a side from where it is, as in a turn that takes
+    /// `seconds` in all.
+    pub(super) fn turn(&mut self, to: Side, seconds: f32) {
         // Where a grab is at this fraction of its way: of a smoothstep, near enough.
         let time = self.turned.clamp(0.0, 1.0);
         self.drop_course();
-        self.start_course(Course { time, rate });
+        self.take(time, to, seconds);
+    }
+
+    fn take(&mut self, time: f32, to: Side, seconds: f32) {
+        let [u, v] = self.turner_place();
+        self.sheet.grab(TURNER, u, v);
+        self.sheet.hasten(TURNER);
+        self.send(time, to, seconds);
+    }
+
+    /// Sends the grab that turns the leaf from a time of its course to a side.
+    fn send(&mut self, time: f32, to: Side, seconds: f32) {
+        let ahead = (AHEAD * seconds).min(LONGEST_AHEAD * self.slowness());
+        let rate = 1.0 / (seconds - ahead);
+        let (rate, to_go) = match to {
+            Side::Left => (rate, 1.0 - time),
+            Side::Right => (-rate, time),
+        };
+        self.course = Some(Course { time, rate });
+        self.due = Some(seconds * to_go);
         self.phase = Phase::Playing(to);
     }
 
-    fn start_course(&mut self, course: Course) {
-        let [u, v] = self.turner_place();
-        self.sheet.grab(TURNER, u, v);
-        self.course = Some(course);
+    /// Whether a leaf that is due on a side in so many seconds is slower than one that was released
+    /// and is led there: then a grab has to carry it.
+    fn is_carried(&self, due: f32, to: Side) -> bool {
+        due > self
+            .lead_time(self.to_go(to))
+            .max(LONGEST_AHEAD * self.slowness())
     }
 
     /// Where the grab that turns the leaf holds it: not on what is folded over, which it would
@@ -120,9 +144,9 @@ impl Leaf {
         self.sheet.pull(TURNER, [radius * cos, y, radius * sin]);
         self.step_sheet();
         let gone = if side == Side::Left { way } else { 1.0 - way };
-        if gone > LET_GO {
-            let seconds = 1.0 / (LED * course.rate.abs());
-            self.fall(side, (UNHURRIED / seconds).max(1.0));
+        let due = self.due.unwrap_or_default();
+        if gone > LET_GO && !self.is_carried(due, side) {
+            self.fall(side, Some(due));
         }
     }
 }

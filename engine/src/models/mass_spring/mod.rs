@@ -163,7 +163,8 @@ impl MassSpring {
         self.interpolation = None;
     }
 
-    /// One part of a step: where held nodes are, `part` of the way through it.
+    /// One part of a step, in the paper's order: held nodes move to where they are `part` of the way
+    /// through it, then forces are computed, then the others move.
     fn substep(&mut self, h: f32, part: f32) {
         let follows = self.limiter.moves_velocity();
         if follows {
@@ -171,6 +172,7 @@ impl MassSpring {
                 self.before[axis].copy_from_slice(&self.motion.position[axis]);
             }
         }
+        self.place_fixed_and_held(part);
         if let Some(air) = &self.air {
             air.apply(
                 &self.grid,
@@ -189,7 +191,10 @@ impl MassSpring {
         if self.settings.floor {
             rest_on_floor(&self.free, &mut self.motion);
         }
-        self.place_fixed_and_held(part);
+        // Held nodes that have velocities were moved by these too.
+        if follows {
+            self.place_fixed_and_held(part);
+        }
         self.synchroniser.apply(
             &self.grid,
             &self.free,

@@ -8,8 +8,7 @@
 use super::material::Material;
 use super::settings::{Root, SheetSettings};
 use super::system::System;
-use crate::grab::{Pressed, STIFFNESS, bounded_stiffness, pad_over, strongest};
-use crate::stock::GRAVITY;
+use crate::grab::{Pressed, bounded_stiffness, pad_over, stiffness_for, strongest};
 
 /// Greatest speed of a held place, m/s.
 const FASTEST: f32 = 3.0;
@@ -55,6 +54,7 @@ impl Grab {
         let size = material.paper(settings);
         let (u, v) = (u.clamp(0.0, 1.0), v.clamp(0.0, 1.0));
         let grid = (settings.columns, settings.rows);
+        let strength = settings.hands * strongest(settings.stock.grammage, size[0] * size[1]);
         let mut grab = Grab {
             id,
             place: [u * size[0] as f32, v * size[1] as f32],
@@ -66,8 +66,8 @@ impl Grab {
             ),
             wanted: [0.0; 3],
             target: [0.0; 3],
-            stiffness: STIFFNESS as f32,
-            strength: strongest(settings.stock.grammage * GRAVITY * size[0] * size[1]) as f32,
+            stiffness: stiffness_for(strength) as f32,
+            strength: strength as f32,
             pace: FIRST,
             frame: [[0.0; 3]; 2],
         };
@@ -75,6 +75,11 @@ impl Grab {
         grab.target = grab.held_place(positions);
         grab.wanted = grab.target;
         grab
+    }
+
+    /// Goes on at its full speed.
+    pub fn hasten(&mut self) {
+        self.pace = 1.0;
     }
 
     /// The same grab with another stiffness, N/m, and greatest force, N.

@@ -367,9 +367,9 @@ impl Sheet {
         }
     }
 
-    /// Positions, with the loads to be set according to them.
-    pub(crate) fn load_state(&mut self) -> (&[f32], &mut [f32]) {
-        (&self.positions, &mut self.loads)
+    /// Positions and masses of the nodes, with the loads to be set according to them.
+    pub(crate) fn load_state(&mut self) -> (&[f32], &[f32], &mut [f32]) {
+        (&self.positions, &self.mass, &mut self.loads)
     }
 
     /// Positions, with the contacts to be set according to them.
@@ -408,6 +408,14 @@ impl Sheet {
             let (settings, material) = (&self.settings, &self.material);
             let grab = Grab::new(grab, at, settings, material, &self.positions);
             self.grabs.push(grab);
+        }
+    }
+
+    /// Lets a grab that has just taken hold move at its full speed at once: one whose way is smooth
+    /// jerks at nothing.
+    pub(crate) fn hasten(&mut self, grab: u32) {
+        if let Some(grab) = self.grabs.iter_mut().find(|own| own.id == grab) {
+            grab.hasten();
         }
     }
 

@@ -49,11 +49,12 @@ impl Hand {
     }
 
     fn value(&self, x: &[Vector]) -> f64 {
+        let stiffness = grab::stiffness_for(self.strength);
         let of = |pressed: &Pressed<f64>| {
             let far = length(self.away(pressed, x));
-            let reach = self.strength / grab::STIFFNESS;
+            let reach = self.strength / stiffness;
             let energy = if far < reach {
-                0.5 * grab::STIFFNESS * far * far
+                0.5 * stiffness * far * far
             } else {
                 self.strength * (far - 0.5 * reach)
             };
@@ -63,13 +64,14 @@ impl Hand {
     }
 
     fn add_to(&self, x: &[Vector], system: &mut System) {
+        let most = grab::stiffness_for(self.strength);
         for pressed in &self.pad {
             let away = self.away(pressed, x);
             let far = length(away);
-            let stiffness = pressed.weight * grab::stiffness(far, self.strength);
+            let stiffness = pressed.weight * grab::bounded_stiffness(most, far, self.strength);
             system.add_gradient(pressed.node, scale(stiffness, away));
             // Beyond its greatest force the spring does not stiffen along itself.
-            let capped = grab::STIFFNESS * far > self.strength;
+            let capped = most * far > self.strength;
             let radial = if capped {
                 -stiffness / (far * far)
             } else {

@@ -42,7 +42,6 @@ pub use settings::{Discretisation, Edge, InvalidShell, Scheme, ShellSettings, Ta
 
 use crate::grab;
 use crate::interpolate::Interpolation;
-use crate::stock::GRAVITY;
 use crate::surface::Surface;
 use crate::turn::TurnModel;
 use bending::Bending;
@@ -198,7 +197,7 @@ impl Shell {
         }
         let frame = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
         let area = self.settings.width * self.settings.height;
-        let strength = grab::strongest(self.settings.areal_mass * GRAVITY * area);
+        let strength = grab::strongest(self.settings.areal_mass, area);
         self.forces.hand = Some(Hand {
             pad,
             target,

@@ -25,10 +25,31 @@ export interface Paper {
    * it is left to gravity.
    */
   readonly assist?: boolean;
+  /**
+   * Width of a page in metres, 0.005 to 5: its leaves move as those of a book of that size. The
+   * default is what the book's source knows, else that of a page of 0.0294 m², as 140 x 210 mm.
+   */
+  readonly pageWidth?: number;
 }
 
 /** Default stiffness of the binding in N. A test keeps it equal to the engine's own. */
 const usualBinding = 0.02;
+
+/** The size of a page as it is drawn, metres, and whether it is bound at its head or foot. */
+interface DrawnPage {
+  readonly width: number;
+  readonly height: number;
+  readonly quarterTurned: boolean;
+}
+
+/**
+ * Returns how many times as large as it is drawn a book is whose pages are `width` metres wide; 1 if
+ * that is not known, or not 0.005 to 5.
+ */
+export function scaleOf(width: number | undefined, page: DrawnPage): number {
+  if (width === undefined || !(width >= 0.005 && width <= 5)) return 1;
+  return width / (page.quarterTurned ? page.height : page.width);
+}
 
 /** Returns whether a word names a preset stock. */
 export function isStock(word: unknown): word is Stock {
@@ -38,12 +59,20 @@ export function isStock(word: unknown): word is Stock {
 /**
  * Sets the paper of an engine's book, and the stocks of the leaves that have one
  * of their own. Leaves in flight are laid down.
+ *
+ * @param scale how many times as large as it is drawn the book is
  */
-export function applyPaper(paper: Paper, engine: BookEngine, runs: readonly StockRun[] = []): void {
+export function applyPaper(
+  paper: Paper,
+  engine: BookEngine,
+  runs: readonly StockRun[] = [],
+  scale = 1,
+): void {
   const { stock = "book", grain = "along", binding = usualBinding, wind = [0, 0, 0] } = paper;
   if (!engine.setStock(stock)) engine.setStock("book");
   if (!engine.setBinding(grain, binding)) engine.setBinding(grain, usualBinding);
   if (!engine.setWind(wind)) engine.setWind([0, 0, 0]);
   engine.setAssist(paper.assist ?? true);
+  if (!engine.setScale(scale)) engine.setScale(1);
   for (const { first, end, stock } of runs) engine.setLeafStock(first, end, stock);
 }

@@ -84,6 +84,10 @@ export class PeeledBook implements BookEngine {
 
   setAssist(): void {}
 
+  setScale(): boolean {
+    return true;
+  }
+
   // No surface can be overridden.
   overrideSurface(): null {
     return null;

@@ -4,6 +4,7 @@ import { readStocks } from "../book/leaf_stocks.ts";
 import { isStock, type Paper } from "../book/paper.ts";
 import { type Stock, type TearLine, tearLines } from "../engine/shapes.ts";
 import type { Gesture } from "../input/target.ts";
+import { metresIn } from "../metres.ts";
 import type { BindingOptions } from "../viewer/bound_book.ts";
 import { typographyAttributes } from "./typography.ts";
 
@@ -96,6 +97,7 @@ export const attributes: Readonly<
   duration: (effects) => effects.changePace(),
   stock: (effects) => effects.changePaper(),
   assist: (effects) => effects.changePaper(),
+  "page-width": (effects) => effects.changePaper(),
   model: (effects) => effects.changeModel(),
   "model-src": (effects) => effects.changeModel(),
   address: (effects) => effects.keepPlace(),
@@ -120,7 +122,12 @@ export function tearLineOf(element: Element): TearLine | null {
 
 /** Returns the paper that the attributes name. */
 export function paperOf(element: Element): Paper {
-  return { stock: stockOf(element), assist: element.getAttribute("assist") !== "off" };
+  const pageWidth = metresIn(element.getAttribute("page-width") ?? "");
+  return {
+    stock: stockOf(element),
+    assist: element.getAttribute("assist") !== "off",
+    ...(pageWidth === undefined ? {} : { pageWidth }),
+  };
 }
 
 /**

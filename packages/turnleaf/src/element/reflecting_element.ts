@@ -103,6 +103,22 @@ export class ReflectingElement extends Base {
   }
 
   /**
+   * Width of a page on paper, such as `210mm`, `21cm` or `8.5in`: leaves move as those of a book of
+   * that size. The default is what the book's file says (a PDF, a manifest, IIIF), else that of a
+   * page of the area of 140 × 210 mm.
+   *
+   * @attribute page-width
+   * @default ""
+   */
+  get pageWidth(): string {
+    return this.getAttribute("page-width") ?? "";
+  }
+
+  set pageWidth(width: string) {
+    this.setAttribute("page-width", width);
+  }
+
+  /**
    * Length of a played turn, in milliseconds, 0 to 60,000. With 0 pages change
    * at once, without motion.
    *

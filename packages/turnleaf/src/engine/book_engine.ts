@@ -239,6 +239,11 @@ export interface BookEngine {
   setWind(wind: Vec3): boolean;
   /** Sets whether a released leaf is helped over to its side, or left to gravity. */
   setAssist(on: boolean): void;
+  /**
+   * Sets how many times as large as its places say the book is whose leaves move, 0.02 to 50.
+   * Returns whether it is valid.
+   */
+  setScale(scale: number): boolean;
 
   /** Lays the book open with `read` leaves of paper on the left and none in flight. */
   lay(read: number): void;

@@ -140,6 +140,7 @@ test("each paper, binding and wind hangs in its own way, and an invalid one chan
     ...stocks.map((stock) => hang((book) => expect(book.setStock(stock)).toBe(true))),
     hang((book) => expect(book.setBinding("across", 0.02)).toBe(true)),
     hang((book) => expect(book.setWind([-2, 0, 0])).toBe(true)),
+    hang((book) => expect(book.setScale(0.5)).toBe(true)),
   ];
   const seen = new Set((await Promise.all(ways)).map((positions) => positions.join()));
   expect(seen.size).toBe(ways.length);
@@ -149,6 +150,7 @@ test("each paper, binding and wind hangs in its own way, and an invalid one chan
     expect(book.setStock({} as never)).toBe(false);
     expect(book.setBinding("along", -1)).toBe(false);
     expect(book.setWind([Number.NaN, 0, 0])).toBe(false);
+    for (const scale of [0, -1, 51, Number.NaN]) expect(book.setScale(scale)).toBe(false);
     applyPaper({ stock: "vellum" as never, binding: 7, wind: [1e9, 0, 0] }, book);
   });
   expect(rejected).toEqual(usual);

@@ -45,6 +45,7 @@ export interface Exports {
   tl_book_set_binding(book: number, acrossSpine: number, stiffness: number): number;
   tl_book_set_wind(book: number, x: number, y: number, z: number): number;
   tl_book_set_assist(book: number, on: number): void;
+  tl_book_set_scale(book: number, scale: number): number;
   tl_book_lay(book: number, read: number): void;
   tl_book_lift(book: number, side: Side, low: number, high: number): number;
   tl_book_grab(book: number, id: number, grab: number, u: number, v: number): void;
@@ -171,6 +172,10 @@ export class WasmBook implements BookEngine {
   setAssist(on: boolean): void {
     this.wasm.tl_book_set_assist(this.book, on ? 1 : 0);
     this.#changed(1);
+  }
+
+  setScale(scale: number): boolean {
+    return this.#changed(this.wasm.tl_book_set_scale(this.book, scale));
   }
 
   /** New leaves lie elsewhere in the engine's memory: views of the old ones are invalid. */

@@ -10,6 +10,7 @@ const attributeProps = [
   "engineSrc",
   "stock",
   "assist",
+  "pageWidth",
   "duration",
   "model",
   "modelSrc",

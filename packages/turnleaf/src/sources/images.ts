@@ -60,6 +60,10 @@ export class ImageSource implements PageSource {
     return await this.#measure(index, await this.#image(index, signal));
   }
 
+  widthInMetres(): number | undefined {
+    return this.#book.pageWidth;
+  }
+
   label(index: number): string {
     return this.#book.pages[index]?.label ?? String(index + 1);
   }

@@ -37,6 +37,12 @@ describe("a good manifest", () => {
     });
   });
 
+  it("says how wide a page is on paper", () => {
+    expect(parse({ pageWidth: "210 mm", pages: ["1.jpg"] }).pageWidth).toBeCloseTo(0.21);
+    expect(parse(["1.jpg"]).pageWidth).toBeUndefined();
+    expect(() => parse({ pageWidth: "21", pages: ["1.jpg"] })).toThrow(/write "210mm"\.$/);
+  });
+
   it("may be the list of its pages alone", () => {
     expect(parse(["1.jpg", "2.jpg"])).toMatchObject({ title: "book.json", direction: "ltr" });
   });

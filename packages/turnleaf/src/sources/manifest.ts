@@ -1,3 +1,4 @@
+import { metresIn } from "../metres.ts";
 import { cleanLanguage, cleanText } from "./book_text.ts";
 import { type Bytes, blobOf } from "./input_values.ts";
 import { limits } from "./limits.ts";
@@ -46,6 +47,8 @@ export interface ImageBook {
   readonly language: string;
   readonly direction: "ltr" | "rtl";
   readonly kind: "typeset" | "scan";
+  /** Width of a page on paper, metres, if it is known. */
+  readonly pageWidth?: number;
   readonly pages: readonly ImagePage[];
   readonly outline?: readonly OutlineEntry[];
   /** The file that they are all in. */
@@ -88,6 +91,8 @@ export interface Manifest {
   readonly direction?: "ltr" | "rtl";
   /** The default is "scan"; "typeset" pages have pure white paper. */
   readonly kind?: "typeset" | "scan";
+  /** Width of a page on paper, such as "210mm", "21 cm", "8.5in": its leaves move as so large ones. */
+  readonly pageWidth?: string;
   /** The table of contents. */
   readonly outline?: readonly ManifestOutline[];
   /** The pages in order. */
@@ -120,6 +125,11 @@ export function parseManifest(value: unknown, base: string, name: string): Image
     );
   }
   const outline = parseOutline(fields, pages.length, name);
+  const written = textOf(fields, "pageWidth", limits.labelLength, name);
+  const pageWidth = written === "" ? undefined : metresIn(written);
+  if (written !== "" && pageWidth === undefined) {
+    throw fault(name, "has a pageWidth that is no length on paper", 'write "210mm"');
+  }
   return {
     name,
     title: textOf(fields, "title", limits.titleLength, name) || name,
@@ -127,6 +137,7 @@ export function parseManifest(value: unknown, base: string, name: string): Image
     direction: choice(fields, "direction", ["ltr", "rtl"], name),
     kind: choice(fields, "kind", ["scan", "typeset"], name),
     ...(outline.length > 0 ? { outline } : {}),
+    ...(pageWidth === undefined ? {} : { pageWidth }),
     pages: pages.map((page, index) =>
       parsePage(page, base, pages.length, `${name}: page ${index + 1}`),
     ),

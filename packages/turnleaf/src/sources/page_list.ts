@@ -93,6 +93,10 @@ export class PageList implements PageSource {
     return this.first.direction;
   }
 
+  widthInMetres(size: PageSize): number | undefined {
+    return this.first.widthInMetres?.(size);
+  }
+
   get kind(): "typeset" | "scan" {
     return this.first.kind;
   }

@@ -228,6 +228,11 @@ export interface PageSource {
   readonly kind: "typeset" | "scan";
   /** Size of page `index` (from 0). Rejects with a `BookError`. */
   size(index: number, signal?: AbortSignal): Promise<PageSize>;
+  /**
+   * Returns how wide a page of a size is on paper, metres: leaves move as those of a book of that
+   * size. Undefined, as if absent, if the book does not say.
+   */
+  widthInMetres?(size: PageSize): number | undefined;
   /** Returns the page's label, such as "iv" or "23"; its number from 1 if the source has none. */
   label(index: number): string;
   /**

@@ -235,6 +235,9 @@ async function describe(task: PDFDocumentLoadingTask, input: PdfInput): Promise<
   };
 }
 
+const pointsInInch = 72;
+const metresInInch = 0.0254;
+
 class PdfSource implements PageSource {
   readonly title: string;
   readonly details: readonly BookDetail[];
@@ -274,6 +277,10 @@ class PdfSource implements PageSource {
 
   async size(index: number, signal?: AbortSignal): Promise<PageSize> {
     return this.#sizeOf(await this.#page(index, signal), index);
+  }
+
+  widthInMetres(size: PageSize): number {
+    return (size.width / pointsInInch) * metresInInch;
   }
 
   label(index: number): string {

@@ -47,6 +47,8 @@ export interface Bindable {
   /** A page's size in the source's unit, and its width over its height: others once it is measured anew. */
   leaf: PageSize;
   aspect: number;
+  /** A page's width in metres, if the source knows it. */
+  readonly pageWidth?: number | undefined;
 }
 
 /** Where the pages lie, and the shape that the stage draws. */

@@ -1,7 +1,7 @@
 /** Binds one book: at first, and again when its pages or its options change. */
 
 import { movedLayout } from "../book/moved_lists.ts";
-import { applyPaper, type Paper } from "../book/paper.ts";
+import { applyPaper, type Paper, scaleOf } from "../book/paper.ts";
 import { type Layout, pageOf, pagesAt, spineOf, spreadOf } from "../book/spreads.ts";
 import type { BookEngine, BookSize } from "../engine/book_engine.ts";
 import type { PageBitmaps } from "../pages/page_bitmaps.ts";
@@ -192,7 +192,7 @@ export class Rebinder {
     const bound = new BoundBook(plan, engine, stage, pictures, events);
     pictures.bind((page) => spineOf(plan.binding, page));
     bound.turning.seconds = options.turnSeconds();
-    applyPaper(options.paper(), engine, plan.stocks);
+    this.#applyPaper(options.paper(), engine, plan);
     this.#nextPaper = null;
     bound.turning.lay(spreadOf(plan.binding, this.#place));
     return bound;
@@ -200,7 +200,16 @@ export class Rebinder {
 
   #changePaper(): void {
     if (this.#nextPaper === null || this.#bound.turning.flights.length > 0) return;
-    applyPaper(this.#nextPaper, this.#bound.engine, this.#bound.stocks);
+    this.#applyPaper(this.#nextPaper, this.#bound.engine, this.#bound);
     this.#nextPaper = null;
+  }
+
+  #applyPaper(
+    paper: Paper,
+    engine: BookEngine,
+    { shape, stocks }: Pick<BindingLayout, "shape" | "stocks">,
+  ): void {
+    const width = paper.pageWidth ?? this.#parts.book.pageWidth;
+    applyPaper(paper, engine, stocks, scaleOf(width, shape));
   }
 }

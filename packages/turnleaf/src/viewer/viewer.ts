@@ -187,7 +187,8 @@ export class Viewer {
       source.size(index, signal).catch(() => {});
     }
     const leaf = await leafSize(source, signal);
-    const book = { source, leaf, aspect: leaf.width / leaf.height };
+    const pageWidth = source.widthInMetres?.(leaf);
+    const book = { source, leaf, aspect: leaf.width / leaf.height, pageWidth };
     const { clientWidth, clientHeight } = canvas;
     const binding = { ...defaultBinding, ...options };
     const plan = layOutBinding(book, binding, clientWidth, clientHeight, options.page());

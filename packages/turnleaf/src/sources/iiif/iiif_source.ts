@@ -71,6 +71,11 @@ class IiifSource implements PageSource {
     return { width, height };
   }
 
+  widthInMetres({ width }: PageSize): number | undefined {
+    const { metres } = this.#book;
+    return metres && width * metres;
+  }
+
   label(index: number): string {
     return this.#book.pages[index]?.label ?? String(index + 1);
   }

@@ -1,5 +1,6 @@
 /** IIIF's Presentation API 2 and 3: a manifest as a book. */
 
+import { metresOf } from "../../metres.ts";
 import { cleanText } from "../book_text.ts";
 import { limits } from "../limits.ts";
 import { isRecord } from "../manifest_checks.ts";
@@ -58,6 +59,8 @@ export interface PresentedBook {
   readonly edge?: "top" | "bottom";
   readonly layout?: "single";
   readonly openingPage?: number;
+  /** Metres in a unit of its canvases, if it says so. */
+  readonly metres?: number | undefined;
   readonly details: readonly BookDetail[];
   readonly outline: readonly OutlineEntry[];
   readonly pages: readonly CanvasPage[];
@@ -145,11 +148,25 @@ export function parsePresentation(
     ...(way === "bottom-to-top" ? { edge: "bottom" as const } : {}),
     ...(isSingle ? { layout: "single" as const } : {}),
     ...(openingPage === undefined ? {} : { openingPage }),
+    metres: metresInUnit(canvases[0]) ?? metresInUnit(manifest),
     details: readDetails(manifest, reading),
     outline: readRanges(manifest.structures, numbers, languages),
     pages: pages.slice(0, limits.pages),
     base,
   };
+}
+
+/** Returns the metres in a unit of a canvas by its service Physical Dimensions; undefined without one. */
+function metresInUnit({ service, services }: Value = {}): number | undefined {
+  for (const one of [
+    ...objectsIn(service ?? [], mostLists),
+    ...objectsIn(services ?? [], mostLists),
+  ]) {
+    const { profile, physicalScale, physicalUnits } = one;
+    if (typeof profile !== "string" || !profile.includes("/services/physdim")) continue;
+    return metresOf(Number(physicalScale), String(physicalUnits));
+  }
+  return undefined;
 }
 
 /** Returns the manifest of one image. */
