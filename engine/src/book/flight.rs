@@ -582,6 +582,11 @@ impl Flight {
         self.surface.update_normals();
     }
 
+    /// Where its points would be drawn if it were not held back.
+    pub fn target(&self) -> &[f32] {
+        &self.wanted
+    }
+
     /// How far what is drawn is from where it would be if it were not held back, metres.
     pub fn lag(&self) -> f32 {
         if !self.held_back {
