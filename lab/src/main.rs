@@ -29,6 +29,7 @@ mod table;
 mod table1;
 mod trouser;
 mod turn;
+mod uses;
 mod vibration;
 
 use std::fmt::Display;
@@ -110,6 +111,8 @@ enum Experiment {
     Interpolation(interpolation::Options),
     /// Plays random gestures on a book: strain, shear, penetration, frames, rest.
     Gestures(gestures::Options),
+    /// Reads books as readers do: how often and for how long what is drawn is behind its paper.
+    Uses(uses::Options),
     /// Records and condenses a turn: bytes, frames, error over the width.
     Keyframes(keyframes::Options),
 }
@@ -140,6 +143,7 @@ impl Command {
             Experiment::Models(options) => self.print(models::run(options)?),
             Experiment::Interpolation(options) => self.print(interpolation::run(options)?),
             Experiment::Gestures(options) => self.print(gestures::run(options)?),
+            Experiment::Uses(options) => self.print(uses::run(options)?),
             Experiment::Keyframes(options) => self.print(keyframes::run(options)?),
         }
         Ok(())

@@ -18,7 +18,7 @@
 use super::fraction_turned::fraction_turned;
 use super::mesh::Folds;
 use super::pile::Pile;
-use super::tolerance::ROUNDING;
+use super::tolerance::{OVER_PILE, ROOM_FROM_SPINE, ROUNDING, SLIVER};
 use super::turn_by_place::turn_between;
 use crate::models::sheet::CAN_CREASE;
 
@@ -49,12 +49,49 @@ pub fn bend_into_gutter(
             bend_row(row, &angles[0], &angles[1]);
         }
     }
-    push_off(positions, [right, left], [0.0; 2]);
+    push_off(positions, [right, left], Over::NOTHING);
 }
 
-/// Pushes what of a leaf lies inside the piles (right and left) to so many metres `over`
-/// each; positions as in [`bend_into_gutter`].
-pub fn push_off(positions: &mut [f32], piles: [&Pile; 2], over: [f32; 2]) {
+/// How far leaves are kept over the piles (right and left).
+#[derive(Clone, Copy)]
+pub struct Over {
+    /// Far from the spine, metres.
+    most: [f32; 2],
+    /// The inverse of how far from the spine it is as much, 1 / metres.
+    from: f32,
+}
+
+impl Over {
+    /// As far as the piles reach.
+    const NOTHING: Over = Over::everywhere(0.0);
+
+    /// As far as this over both, or under them, also at the spine, metres.
+    const fn everywhere(over: f32) -> Over {
+        Over {
+            most: [over; 2],
+            from: f32::MAX,
+        }
+    }
+
+    /// So far over each where there is room, metres for a page 0.14 m wide; the page is wider by
+    /// `scale`. All that fly meet in one line at the spine, where none is kept off another: toward it
+    /// the distance shrinks, as that between neighbours does. What is lifted there all the same goes
+    /// through the leaf over it.
+    pub fn of(most: [f32; 2], scale: f32) -> Over {
+        Over {
+            most: most.map(|most| most * scale),
+            from: SLIVER / (OVER_PILE * ROOM_FROM_SPINE * scale),
+        }
+    }
+
+    fn at(&self, side: usize, x: f32) -> f32 {
+        self.most[side] * (x.abs() * self.from).min(1.0)
+    }
+}
+
+/// Pushes what of a leaf lies inside the piles (right and left) as far `over` them as said;
+/// positions as in [`bend_into_gutter`].
+pub fn push_off(positions: &mut [f32], piles: [&Pile; 2], over: Over) {
     let highest = highest(piles, over);
     for row in positions.chunks_exact_mut(3 * piles[0].columns()) {
         let mut below = Below { piles, column: 0 };
@@ -72,7 +109,7 @@ pub fn push_off(positions: &mut [f32], piles: [&Pile; 2], over: [f32; 2]) {
 /// Pushes edges that come lower between their ends than [`push_off`] lets those, at both
 /// ends: over a ridge two points may lie clear of the pile and what is drawn between
 /// them not. `folds` are those of the leaf.
-pub fn push_edges_off(positions: &mut [f32], folds: Folds<'_>, piles: [&Pile; 2], over: [f32; 2]) {
+pub fn push_edges_off(positions: &mut [f32], folds: Folds<'_>, piles: [&Pile; 2], over: Over) {
     let columns = piles[0].columns();
     push_edges_off_where((positions, columns, folds), piles, over, |_| true);
 }
@@ -82,7 +119,7 @@ pub fn push_edges_off(positions: &mut [f32], folds: Folds<'_>, piles: [&Pile; 2]
 pub fn push_edges_off_where(
     (positions, columns, folds): (&mut [f32], usize, Folds<'_>),
     piles: [&Pile; 2],
-    over: [f32; 2],
+    over: Over,
     is_over: impl Fn([f32; 3]) -> bool,
 ) {
     let highest = highest(piles, over);
@@ -123,7 +160,7 @@ fn ends_of(node: usize, step: usize, columns: usize, folds: Folds<'_>) -> [usize
 /// Whether no point and no edge of a leaf with some `folds` lies inside the piles (right and left);
 /// positions as in [`bend_into_gutter`].
 pub fn is_clear(positions: &[f32], folds: Folds<'_>, piles: [&Pile; 2]) -> bool {
-    let over = [-ROUNDING; 2];
+    let over = Over::everywhere(-ROUNDING);
     let highest = highest(piles, over);
     let columns = piles[0].columns();
     let points = positions.as_chunks::<3>().0;
@@ -163,13 +200,13 @@ impl Below<'_> {
     }
 
     /// How high a leaf is pushed up at `x`, metres.
-    fn height(&mut self, x: f32, over: [f32; 2]) -> f32 {
+    fn height(&mut self, x: f32, over: Over) -> f32 {
         let (side, column) = self.find(x);
-        self.piles[side].height_and_slope(x.abs(), column).0 + over[side]
+        self.piles[side].height_and_slope(x.abs(), column).0 + over.at(side, x)
     }
 
     /// By how much an edge, the ends of which are not, is too low somewhere, metres.
-    fn missing(&mut self, [a, b]: [[f32; 3]; 2], over: [f32; 2]) -> f32 {
+    fn missing(&mut self, [a, b]: [[f32; 3]; 2], over: Over) -> f32 {
         let ends = [self.find(b[0]), self.find(a[0])];
         // A pile is straight between its columns: the edge is lowest over one of these.
         let mut most = 0.0;
@@ -179,7 +216,7 @@ impl Below<'_> {
                 let [x, height] = self.piles[side].place(column);
                 let x = if side == 0 { x } else { -x };
                 let z = a[2] + (x - a[0]) / (b[0] - a[0]) * (b[2] - a[2]);
-                let missing = height + over[side] - z;
+                let missing = height + over.at(side, x) - z;
                 most = if missing > most { missing } else { most };
             }
         }
@@ -188,8 +225,8 @@ impl Below<'_> {
 }
 
 /// No leaf is pushed higher than this, metres.
-fn highest(piles: [&Pile; 2], over: [f32; 2]) -> f32 {
-    let highest = |side: usize| piles[side].highest() + over[side];
+fn highest(piles: [&Pile; 2], over: Over) -> f32 {
+    let highest = |side: usize| piles[side].highest() + over.most[side];
     highest(0).max(highest(1))
 }
 
@@ -322,9 +359,9 @@ mod tests {
         assert!(is_clear(&positions, Folds::default(), piles));
         assert!(!is_clear(&positions, folds, piles));
         let unmoved = positions.clone();
-        push_edges_off(&mut positions, Folds::default(), piles, [0.0; 2]);
+        push_edges_off(&mut positions, Folds::default(), piles, Over::NOTHING);
         assert_eq!(positions, unmoved);
-        push_edges_off(&mut positions, folds, piles, [0.0; 2]);
+        push_edges_off(&mut positions, folds, piles, Over::NOTHING);
         assert!(is_clear(&positions, folds, piles));
     }
 
@@ -337,6 +374,26 @@ mod tests {
             bend_row(&mut row, right.angles(), left.angles());
             assert!(row[3] <= before, "the root went back at step {i}");
             before = row[3];
+        }
+    }
+
+    /// At the spine, where all that fly meet, nothing is lifted; far from it all of it is.
+    #[test]
+    fn what_is_kept_over_a_pile_is_less_so_toward_the_spine() {
+        let (right, left, u) = piles(0.01, 0.01);
+        let mut positions = straight(&u, 0.0);
+        bend_into_gutter(&mut positions, &right, &left, (0.0, &[]));
+        let lying = positions.clone();
+        push_off(
+            &mut positions,
+            [&right, &left],
+            Over::of([4.0 * OVER_PILE; 2], 1.0),
+        );
+        let angle = 4.0 * SLIVER / ROOM_FROM_SPINE;
+        for (now, before) in { positions.chunks_exact(3) }.zip(lying.chunks_exact(3)) {
+            let (x, lifted) = (before[0], now[2] - before[2]);
+            let most = (angle * x).min(4.0 * OVER_PILE);
+            assert!((lifted - most).abs() < 1e-6, "{lifted} m at {x} m");
         }
     }
 }

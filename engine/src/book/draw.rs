@@ -27,7 +27,11 @@ const SEARCHING: u32 = 1_500_000;
 /// Every flight, as a set of bits.
 const ALL: u16 = u16::MAX;
 
-/// Steps of the way from the last picture to the wanted one.
+/// Work that the search may take beyond that once only what is not known to be clear is held back,
+/// nanoseconds.
+const HOLDING: u32 = 500_000;
+
+/// Steps back from what is wanted to the last picture: that turned with the paper, and that itself.
 const STEPS: u8 = 2;
 
 /// Draws flights, from the left to the right, between the piles (right and left), or between
@@ -50,16 +54,21 @@ pub fn draw(order: &mut [Flight], piles: [&Pile; 2], last: [&Pile; 2]) -> (bool,
     let met = crossings.find(order, tolerance, &mut searching);
     let mut is_followed = true;
     if met != 0 || searching.is_spent() {
+        // What is next to it is moved off it; all others are clear where they are.
+        let set = met | met << 1 | met >> 1;
         for (index, flight) in order.iter_mut().enumerate() {
-            flight.draw_again(met >> index & 1 == 1);
+            if set >> index & 1 == 1 {
+                flight.draw_again(met >> index & 1 == 1);
+                crossings.forget(index);
+            }
         }
-        resolve(order, ALL, piles, separating);
-        separate_outward(order, piles, separating);
+        resolve(order, set, piles, separating);
+        separate_outward(order, set, piles, separating);
         if !has_folds(order) {
-            push_off_piles(order, ALL, piles, separating);
+            push_off_piles(order, set, piles, separating);
         }
         order.iter_mut().for_each(Flight::want);
-        is_followed = hold_back(order, [piles, last], separating, &mut searching);
+        is_followed = hold_back(order, crossings, [piles, last], separating, &mut searching);
     }
     for flight in order {
         flight.show();
@@ -101,15 +110,16 @@ fn separate(order: &mut [Flight], set: u16, piles: [&Pile; 2], work: &mut Work) 
     }
 }
 
-/// Moves flights off each other from the middle outward, where of the two that meet there
-/// one was pushed into the next.
-fn separate_outward(order: &mut [Flight], piles: [&Pile; 2], work: &mut Work) {
-    let on_left = on_left(order);
-    for index in on_left + 1..order.len() {
-        move_off(order, index, Side::Left, piles, work);
-    }
-    for index in (1..on_left).rev() {
-        move_off(order, index - 1, Side::Right, piles, work);
+/// Moves flights, of a set of them, off each other from the middle outward, where of the two that
+/// meet there one was pushed into the next.
+fn separate_outward(order: &mut [Flight], set: u16, piles: [&Pile; 2], work: &mut Work) {
+    let (on_left, count) = (on_left(order), order.len());
+    let on_right = (on_left + 1..count).map(|index| (index, Side::Left));
+    let on_left = (1..on_left).rev().map(|index| (index - 1, Side::Right));
+    for (index, side) in on_right.chain(on_left) {
+        if set >> index & 1 == 1 {
+            move_off(order, index, side, piles, work);
+        }
     }
 }
 
@@ -161,25 +171,30 @@ fn over_piles(order: &[Flight], index: usize) -> [f32; 2] {
     ranks.map(|rank| OVER_PILE * rank as f32)
 }
 
-/// Draws flights that would go through each other, or through themselves, only a part of the
-/// way from what was drawn of them last, which did not; and with them those that they then
-/// meet. Returns whether the piles, those of now and those drawn last, go on too: not where
-/// they would grow into what is drawn as it was.
+/// Draws flights that would go through each other, or through themselves, as they were drawn last,
+/// which did not: turned about the spine with their paper or, where they would still, where they were;
+/// and with them those that they then meet. Once no work is left, it is those that are not known to be
+/// clear; and all, once none is left of [`HOLDING`] for what these meet. Returns whether the piles,
+/// those of now and those drawn last, go on too: not where they would grow into what is drawn as it was.
 fn hold_back(
     order: &mut [Flight],
+    mut crossings: Crossings,
     [piles, last]: [[&Pile; 2]; 2],
     separating: &mut Work,
     work: &mut Work,
 ) -> bool {
-    let mut crossings = Crossings::default();
     let mut piles_go_on = true;
+    let mut is_short = false;
     loop {
-        let found = crossings.find(order, [ROUNDING, TOUCHING], work);
+        let mut found = crossings.find(order, [ROUNDING, TOUCHING], work);
         if work.is_spent() {
-            for flight in order.iter_mut() {
-                flight.draw_part(0.0);
+            if is_short {
+                order.iter_mut().for_each(Flight::draw_last);
+                return false;
             }
-            return false;
+            is_short = true;
+            found |= crossings.unknown(order);
+            work.allow(HOLDING);
         }
         if found == 0 {
             return piles_go_on;
@@ -189,16 +204,17 @@ fn hold_back(
             if found >> index & 1 == 0 {
                 continue;
             }
-            let step = crossings.step_back(index);
+            let step = crossings.step_back(index, is_short);
             work.spend(MOVING);
-            flight.draw_part(f32::from(step) / f32::from(STEPS));
             if step == 0 {
+                flight.draw_last();
                 piles_go_on &= flight.is_clear_of(piles);
             } else {
+                flight.draw_carried();
                 moved |= 1 << index;
             }
         }
-        // Half-way between two pictures leaves are nearer to each other than in either.
+        // What is turned may come nearer to others than what was drawn last.
         push_off_piles(order, moved, piles, separating);
         resolve(order, moved, piles, separating);
         if !piles_go_on {
@@ -215,7 +231,7 @@ fn hold_back(
 
 /// What is known of which flights are drawn through which, by their numbers from the left.
 struct Crossings {
-    /// How far each has come from the last picture to the wanted one, in [`STEPS`].
+    /// How many steps each is drawn away from the last picture, of [`STEPS`].
     steps: [u8; MOST_FLIGHTS],
     /// Flights that have been cut as they are drawn.
     cut: u16,
@@ -242,22 +258,13 @@ impl Crossings {
         for left in 0..order.len() {
             let mut may_meet_round = false;
             for right in left..order.len() {
-                let [step, other] = [left, right].map(|index| self.steps[index]);
-                // What is not next to each other meets only round what is crumpled.
-                may_meet_round |= order[right].may_be_crumpled();
-                let may_meet = match right - left {
-                    0 => order[left].may_be_folded(),
-                    1 => order[left].needs_crossing_test() || order[right].needs_crossing_test(),
-                    _ => may_meet_round,
-                };
-                // The last picture is clear.
-                let is_known = self.clear[left] >> right & 1 == 1 || step.max(other) == 0;
-                if is_known || !may_meet {
+                if !self.is_asked(order, [left, right], &mut may_meet_round) {
                     continue;
                 }
                 if work.is_spent() {
                     return found;
                 }
+                let [step, other] = [left, right].map(|index| self.steps[index]);
                 if self.is_through(order, [left, right], tolerance, work) {
                     found |= u16::from(step >= other) << left | u16::from(other >= step) << right;
                 } else {
@@ -266,6 +273,43 @@ impl Crossings {
             }
         }
         found
+    }
+
+    /// Flights that may be drawn through others or themselves, and are not known not to be: as a set
+    /// of bits.
+    fn unknown(&self, order: &[Flight]) -> u16 {
+        let mut unknown = 0;
+        for left in 0..order.len() {
+            let mut may_meet_round = false;
+            for right in left..order.len() {
+                if self.is_asked(order, [left, right], &mut may_meet_round) {
+                    unknown |= 1 << left | 1 << right;
+                }
+            }
+        }
+        // Those drawn last are where they are.
+        let moved = (0..order.len()).filter(|index| self.steps[*index] > 0);
+        unknown & moved.fold(0, |set, index| set | 1 << index)
+    }
+
+    /// Whether a flight may be drawn through one on its right, or itself, and is not known not to be.
+    /// Asked of those on its right one after another, it keeps whether any between is crumpled.
+    fn is_asked(
+        &self,
+        order: &[Flight],
+        [left, right]: [usize; 2],
+        may_meet_round: &mut bool,
+    ) -> bool {
+        // What is not next to each other meets only round what is crumpled.
+        *may_meet_round |= order[right].may_be_crumpled();
+        let may_meet = match right - left {
+            0 => order[left].may_be_folded(),
+            1 => order[left].needs_crossing_test() || order[right].needs_crossing_test(),
+            _ => *may_meet_round,
+        };
+        // The last picture is clear.
+        let are_last = self.steps[left].max(self.steps[right]) == 0;
+        may_meet && !are_last && self.clear[left] >> right & 1 == 0
     }
 
     fn is_through(
@@ -294,10 +338,14 @@ impl Crossings {
         }
     }
 
-    /// Takes a flight a step back toward the last picture; returns where it is then.
-    fn step_back(&mut self, index: usize) -> u8 {
+    /// Takes a flight a step back toward the last picture, or all the way; returns where it is then.
+    fn step_back(&mut self, index: usize, all_the_way: bool) -> u8 {
         self.forget(index);
-        self.steps[index] -= 1;
+        self.steps[index] = if all_the_way {
+            0
+        } else {
+            self.steps[index] - 1
+        };
         self.steps[index]
     }
 

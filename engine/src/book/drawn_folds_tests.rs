@@ -91,6 +91,37 @@ fn rounds_of_moving_parts_are_bounded_where_no_work_is_left() {
     assert_eq!(second, 0);
 }
 
+/// What is held back goes with its paper as it was drawn last: nothing of it is stretched or bent.
+#[test]
+fn a_leaf_that_is_held_back_turns_with_its_paper_and_keeps_its_lengths() {
+    let book = open_book();
+    let [right, left] = &book.piles;
+    let mut flight = folded(&crowded_columns(right.columns()), 170.0);
+    let [flat, half] = [0.3, 0.5 * PI];
+    bend(&mut flight, [flat, flat + 0.5]);
+    flight.draw([right, left], [right, left], false);
+    flight.show();
+    let lengths = |flight: &Flight| -> Vec<f32> {
+        let points = flight.surface().positions.as_chunks::<3>().0;
+        let edges = points
+            .windows(2)
+            .map(|ends| crate::vector::sub(ends[1], ends[0]));
+        edges
+            .map(|edge| crate::vector::dot(edge, edge).sqrt())
+            .collect()
+    };
+    let before = lengths(&flight);
+    bend(&mut flight, [half, half - 0.5]);
+    flight.draw([right, left], [right, left], false);
+    flight.draw_last();
+    let last = flight.lag();
+    flight.draw_carried();
+    assert!(flight.lag() < 0.6 * last, "{} of {last} m", flight.lag());
+    for (now, before) in lengths(&flight).iter().zip(before) {
+        assert!((now - before).abs() < 1e-6, "{now} of {before} m");
+    }
+}
+
 /// It was drawn last as the page that it was in the pile, and so is where it must be held back.
 #[test]
 fn a_leaf_that_comes_out_of_a_pile_is_held_back_as_its_page() {
@@ -106,7 +137,7 @@ fn a_leaf_that_comes_out_of_a_pile_is_held_back_as_its_page() {
     };
     flight.draw([right, left], [right, left], false);
     assert!(over(&flight) > 1e-3, "{} m", over(&flight));
-    flight.draw_part(0.0);
+    flight.draw_last();
     assert!(over(&flight) < tolerance::SLIVER, "{} m", over(&flight));
     let outermost = flight.surface().positions.chunks_exact(3);
     let widest = outermost.fold(0.0, |most: f32, point| most.max(point[0]));

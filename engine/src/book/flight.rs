@@ -4,7 +4,7 @@ mod through_itself;
 
 use core::sync::atomic::{AtomicU32, Ordering};
 
-use super::bend_into_gutter::{bend_into_gutter, is_clear, push_edges_off, push_off};
+use super::bend_into_gutter::{Over, bend_into_gutter, is_clear, push_edges_off, push_off};
 use super::creased_mesh::CreasedMesh;
 use super::crossing::{Tiles, is_past};
 use super::flaps::is_turned_over;
@@ -212,7 +212,8 @@ impl Flight {
     pub fn draw(&mut self, [right, left]: [&Pile; 2], last: [&Pile; 2], needs_crossing_test: bool) {
         self.clear_of = [None; 2];
         self.rounds = 0;
-        let is_crumpled = core::mem::take(&mut self.held_back) || self.leaf.was_held();
+        let is_crumpled = self.is_crumpled();
+        self.needs_crossing_test |= core::mem::take(&mut self.held_back);
         // What else was written would be drawn as nothing, or as nothing but itself.
         let is_place = |x: &f32| x.abs() <= FARTHEST;
         let is_overridden =
@@ -360,15 +361,14 @@ impl Flight {
     /// each, metres for a page 0.14 m wide.
     pub fn push_off_piles(&mut self, piles: [&Pile; 2], over: [f32; 2], work: &mut Work) {
         self.revision += 1;
-        let scale = self.scale();
-        let over = over.map(|over| over * scale);
+        let over = Over::of(over, self.scale());
         push_off(&mut self.surface.positions, piles, over);
         self.separate_own_parts(ROUNDS, work);
         self.keep_off_piles(piles, over);
     }
 
-    /// Pushes points and edges out of the piles (right and left), so far over each, metres.
-    fn keep_off_piles(&mut self, piles: [&Pile; 2], over: [f32; 2]) {
+    /// Pushes points and edges out of the piles (right and left), so far over each.
+    fn keep_off_piles(&mut self, piles: [&Pile; 2], over: Over) {
         push_off(&mut self.surface.positions, piles, over);
         if !matches!(self.phase(), Phase::Resting(_)) {
             let folds = folds(self.creased.as_ref(), &self.turned_over);
@@ -414,7 +414,7 @@ impl Flight {
         work: &mut Work,
     ) {
         let scale = self.scale();
-        let over = over.map(|over| over * scale);
+        let over = Over::of(over, scale);
         let before = self.surface.positions.clone();
         let mut seen = Vec::new();
         let mut placed = neighbour.map(|(flight, _)| PlacedBlocks::of(&flight.parted()));
@@ -492,11 +492,11 @@ impl Flight {
 
     /// Whether it may reach round others in flight.
     pub fn may_be_crumpled(&self) -> bool {
-        self.is_crumpled() || self.is_bent_back
+        self.is_crumpled() || self.is_bent_back || self.held_back
     }
 
     fn is_crumpled(&self) -> bool {
-        self.held_back || self.leaf.was_held()
+        self.leaf.was_held()
     }
 
     /// Whether what is drawn of it goes through what is drawn of one on its right, or has
@@ -571,15 +571,41 @@ impl Flight {
         self.wanted.clone_from(&self.surface.positions);
     }
 
-    /// Draws a part of the way from what was drawn last to what is wanted.
-    pub fn draw_part(&mut self, part: f32) {
+    /// Draws what was drawn last, turned about the spine as far as its paper has turned since: to
+    /// where it is nearest to what is wanted.
+    pub fn draw_carried(&mut self) {
+        let pairs = self.shown.as_chunks::<3>().0.iter();
+        let pairs = pairs.zip(self.wanted.as_chunks::<3>().0);
+        let [cos, sin] = pairs.fold([0.0f32; 2], |[cos, sin], ([x, _, z], [to_x, _, to_z])| {
+            [cos + x * to_x + z * to_z, sin + x * to_z - z * to_x]
+        });
+        let length = (cos * cos + sin * sin).sqrt();
+        self.draw_turned(if length > 0.0 {
+            [cos / length, sin / length]
+        } else {
+            [1.0, 0.0]
+        });
+    }
+
+    /// Draws what was drawn last.
+    pub fn draw_last(&mut self) {
+        self.draw_turned([1.0, 0.0]);
+    }
+
+    /// Draws what was drawn last turned about the spine, by the cosine and the sine of an angle.
+    fn draw_turned(&mut self, [cos, sin]: [f32; 2]) {
         self.revision += 1;
         (self.held_back, self.needs_crossing_test) = (true, true);
-        let ways = self.shown.iter().zip(&self.wanted);
-        for (place, (from, to)) in self.surface.positions.iter_mut().zip(ways) {
-            *place = from + part * (to - from);
+        self.surface.positions.clone_from(&self.shown);
+        for [x, _, z] in self.surface.positions.as_chunks_mut::<3>().0 {
+            [*x, *z] = [cos * *x - sin * *z, cos * *z + sin * *x];
         }
         self.surface.update_normals();
+    }
+
+    /// Where its points would be drawn if it were not held back.
+    pub fn target(&self) -> &[f32] {
+        &self.wanted
     }
 
     /// How far what is drawn is from where it would be if it were not held back, metres.

@@ -71,6 +71,7 @@ use crate::models::sheet::FoldLine;
 use crate::stock::Stock;
 use crate::surface::Surface;
 use crate::tolerance;
+use flight::Flight;
 use flights::{Flights, Pattern};
 use gutter::Gutter;
 use leaf_stocks::LeafStocks;
@@ -438,6 +439,12 @@ impl Book {
             .order()
             .get(index)
             .map(|flight| flight.surface())
+    }
+
+    /// Where the points of the flight at `index`, counted from the left, would have been drawn in the
+    /// last update if they were not held back: x, y, z in metres. See [`lag`](Self::lag).
+    pub fn target(&self, index: usize) -> Option<&[f32]> {
+        self.flights.order().get(index).map(Flight::target)
     }
 
     /// The points of the flight at `index`, counted from the left: x, y, z in metres over

@@ -8,7 +8,7 @@
 use std::rc::Rc;
 
 use super::Book;
-use super::bend_into_gutter::push_edges_off_where;
+use super::bend_into_gutter::{Over, push_edges_off_where};
 use super::mesh::Folds;
 use super::pile::Pile;
 use super::relief::Relief;
@@ -199,7 +199,8 @@ impl<'a> Surroundings<'a> {
             surface.columns,
             Folds::default(),
         );
-        push_edges_off_where(grid, self.piles, [OVER_PILE; 2], is_over);
+        let over = Over::of([OVER_PILE; 2], 1.0);
+        push_edges_off_where(grid, self.piles, over, is_over);
     }
 
     /// Height of what lies under a point, metres.

@@ -18,6 +18,11 @@ impl Work {
         self.done = self.done.saturating_add(work);
     }
 
+    /// Allows so much more than is done, nanoseconds.
+    pub fn allow(&mut self, more: u32) {
+        self.most = self.done.saturating_add(more);
+    }
+
     /// Whether none is left.
     pub fn is_spent(&self) -> bool {
         self.done >= self.most

@@ -8,7 +8,7 @@ mod facets;
 mod figures;
 mod folding;
 mod folds;
-mod overlap;
+pub mod overlap;
 mod parts;
 mod played;
 mod pointer;

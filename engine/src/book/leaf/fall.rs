@@ -216,7 +216,7 @@ impl Leaf {
     }
 
     /// Greatest distance of a node from its place of rest on a side, metres.
-    pub(super) fn height_over_rest(&self, side: Side) -> f32 {
+    fn height_over_rest(&self, side: Side) -> f32 {
         let states = self.sheet.positions().iter().zip(&self.flat);
         let apart = states.enumerate().map(|(k, (x, flat))| {
             let rest = if k % 3 == 0 {

@@ -1,0 +1,182 @@
+//! `lab uses`: what readers do with a book every day, and whether what is drawn of its leaves is where
+//! their paper is.
+
+mod act;
+mod figures;
+mod open;
+mod reader;
+mod watch;
+
+use std::fmt::{self, Display, Formatter};
+use std::path::PathBuf;
+
+use clap::Args;
+use serde::Serialize;
+
+use crate::options::{between, make_folder};
+use crate::table::Table;
+use act::Use;
+use figures::Figures;
+use open::{Folded, PAGES, STOCKS};
+use reader::Reader;
+use watch::Watched;
+
+/// Runs are played in steps of so many, which shares no factor with their number: any first ones
+/// of them are of all uses, books, stocks and pages.
+const STRIDE: usize = 233;
+
+/// Longest that leaves may take to come to rest once a reader is done, frames.
+const MOST_TO_REST: u32 = 600;
+
+/// Options of the experiment.
+#[derive(Args)]
+pub struct Options {
+    /// Play only so many of all runs, spread over uses, books, stocks and pages.
+    #[arg(long, default_value_t = RUNS, value_parser = between(1usize, RUNS))]
+    count: usize,
+    /// Play only what is called so: a use, a book or a stock.
+    #[arg(long)]
+    only: Vec<String>,
+    /// List so many of the runs that are farthest behind.
+    #[arg(long, default_value_t = 0, value_parser = between(0usize, RUNS))]
+    worst: usize,
+    /// Write the table into a folder, as uses.json.
+    #[arg(long)]
+    into: Option<PathBuf>,
+}
+
+/// Every use of every book.
+const RUNS: usize = Use::ALL.len() * Folded::ALL.len() * STOCKS.len() * PAGES.len();
+
+/// One use of one book.
+#[derive(Clone, Copy)]
+struct Run {
+    what: Use,
+    folded: Folded,
+    stock: &'static str,
+    page: &'static str,
+}
+
+impl Run {
+    /// The run of a number, below [`RUNS`].
+    fn of(number: usize) -> (Run, [f64; 2]) {
+        let (number, what) = (number / Use::ALL.len(), number % Use::ALL.len());
+        let (number, folded) = (number / Folded::ALL.len(), number % Folded::ALL.len());
+        let (page, stock) = (number / STOCKS.len(), number % STOCKS.len());
+        let (name, size) = PAGES[page];
+        let run = Run {
+            what: Use::ALL[what],
+            folded: Folded::ALL[folded],
+            stock: STOCKS[stock],
+            page: name,
+        };
+        (run, size)
+    }
+
+    fn names(&self) -> [&'static str; 4] {
+        [self.what.name(), self.folded.name(), self.stock, self.page]
+    }
+}
+
+/// What uses did to what is drawn: all, and by what they are of.
+#[derive(Serialize)]
+pub struct Report {
+    all: Figures,
+    /// Of each use, book, stock and page.
+    parts: Vec<(&'static str, Figures)>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    worst: Vec<(String, f32)>,
+}
+
+/// Runs the experiment.
+pub fn run(options: &Options) -> Result<Report, String> {
+    options.into.as_deref().map_or(Ok(()), make_folder)?;
+    let runs = (0..options.count).map(|k| Run::of(k * STRIDE % RUNS));
+    let is_meant = |run: &Run| {
+        options
+            .only
+            .iter()
+            .all(|only| run.names().contains(&&only[..]))
+    };
+    let played: Vec<(Run, Watched)> = { runs.filter(|(run, _)| is_meant(run)) }
+        .map(|(run, page)| (run, play(run, page)))
+        .collect();
+    if played.is_empty() {
+        return Err("No run is called so.".into());
+    }
+    let of = |is: &dyn Fn(&Run) -> bool| {
+        Figures::of(played.iter().filter(|one| is(&one.0)).map(|one| &one.1))
+    };
+    let uses = Use::ALL.iter().map(|what| what.name());
+    let books = Folded::ALL.iter().map(|folded| folded.name());
+    let pages = PAGES.iter().map(|(name, _)| *name);
+    let parts = uses.chain(books).chain(STOCKS).chain(pages);
+    let part = |name| (name, of(&|run| run.names().contains(&name)));
+    let report = Report {
+        all: of(&|_| true),
+        parts: parts
+            .map(part)
+            .filter(|(_, figures)| figures.runs > 0)
+            .collect(),
+        worst: worst(&played, options.worst),
+    };
+    if let Some(folder) = &options.into {
+        report.table().write(folder, "uses")?;
+    }
+    Ok(report)
+}
+
+/// Plays one use until all lies at rest.
+fn play(run: Run, page: [f64; 2]) -> Watched {
+    let (book, leaves, first) = open::open(run.folded, run.stock, page);
+    let mut reader = Reader::new((book, leaves), page.map(|side| side as f32));
+    let mut frame = 0;
+    while run.what.act(&mut reader, first, frame) {
+        reader.frame();
+        frame += 1;
+    }
+    for _ in 0..MOST_TO_REST {
+        if !reader.moves() {
+            break;
+        }
+        reader.frame();
+    }
+    reader.into_watched()
+}
+
+/// The runs that are behind in most of their frames, with the part of those in percent.
+fn worst(played: &[(Run, Watched)], count: usize) -> Vec<(String, f32)> {
+    let of = |(run, watched): &(Run, Watched)| {
+        (
+            run.names().join(", "),
+            100.0 * watched.behind as f32 / watched.frames as f32,
+        )
+    };
+    let mut all: Vec<(String, f32)> = played.iter().map(of).collect();
+    all.sort_by(|a, b| b.1.total_cmp(&a.1));
+    all.truncate(count);
+    all
+}
+
+impl Report {
+    fn table(&self) -> Table {
+        let mut table = Table::new(&Figures::HEADINGS);
+        for (name, figures) in [("all", &self.all)]
+            .into_iter()
+            .chain(self.parts.iter().map(|(n, f)| (*n, f)))
+        {
+            table.push(figures.row(name));
+        }
+        table
+    }
+}
+
+impl Display for Report {
+    fn fmt(&self, out: &mut Formatter) -> fmt::Result {
+        self.table().fmt(out)?;
+        for (name, part) in &self.worst {
+            writeln!(out, "  {part:5.1} %  {name}")?;
+        }
+        Ok(())
+    }
+}
