@@ -1,5 +1,5 @@
 //! The paper's leaf beside an account of its method that was written anew from its text, in
-//! JavaScript, and shares no code with the engine.
+//! JavaScript, and has no code in common with the engine.
 
 use std::process::Command;
 use turnleaf_engine::{MassSpring, Settings, TurnModel};

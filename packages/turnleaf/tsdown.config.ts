@@ -53,6 +53,8 @@ const viewer = defineConfig({
       "dompurify",
       "foliate-js",
       "marked",
+      "htmlparser2",
+      "entities",
     ],
   },
   outputOptions: {

@@ -487,8 +487,6 @@ impl Leaf {
         self.turn_rate += (rate - self.turn_rate) * 0.3;
     }
 
-    // Once in the WASM: where it is copied into each of its callers, that is 15 % larger.
-    #[inline(never)]
     fn step_sheet(&mut self) {
         for left in (1..=self.steps).rev() {
             let wanted = self.root_angle();

@@ -4,10 +4,10 @@
 /// frame at 60 Hz.
 pub const TICK: f32 = 1.0 / 120.0;
 
-/// Width of the leaf for which times of falls and of hands are given, metres.
+/// Width of the leaf for which times of falls and of turns are given, metres.
 const USUAL_WIDTH: f64 = 0.14;
 
-/// Times of falls and of hands on a leaf `width` metres wide over those on one of the usual width.
+/// Times of falls and of turns on a leaf `width` metres wide over those on one of the usual width.
 /// What weight moves is slower by the root of its size.
 pub fn slowness(width: f64) -> f32 {
     (width / USUAL_WIDTH).sqrt() as f32

@@ -56,7 +56,7 @@ pub struct Paper {
     /// where its own motion and gravity take it.
     pub assist: bool,
     /// Lengths of the book that is shown over those of book space, 0.02 to 50: leaves move as in a
-    /// book so many times as large. Thickness and hands' speed are those of book space.
+    /// book so many times as large. Thickness and the speed of grabs are those of book space.
     pub scale: f64,
 }
 
@@ -91,11 +91,11 @@ impl Paper {
         // Against a narrow leaf, which weighs less, the binding is as weak as against the usual one.
         let narrowness = f64::from(self.slowness(width)).powi(4).min(1.0);
         let sheet = SheetSettings::leaf(width, height, self.model_stock());
-        // As much of the air as the large leaf meets for its weight, and hands as strong for it.
+        // As much of the air as the large leaf meets for its weight, and grabs as strong for it.
         let air = Air::still(width);
         let [area, square] = [width * height, self.scale * self.scale];
         let strength = |area: f64| strongest(self.stock.grammage, area);
-        let hands = strength(area * square) / (square * self.scale * strength(area));
+        let grab_strength = strength(area * square) / (square * self.scale * strength(area));
         let (shear_sweeps, stiffest) = match flying {
             _ if flying > FEW => (SHEAR_SWEEPS_OF_MANY, STIFFNESS_OF_MANY),
             2.. => (SHEAR_SWEEPS_OF_FEW, STIFFEST),
@@ -108,7 +108,7 @@ impl Paper {
             shear_sweeps,
             grain: self.grain,
             gravity: sheet.gravity.map(|g| g / self.scale),
-            hands,
+            grab_strength,
             root: Root::Hinged(self.binding * narrowness / (square * self.scale)),
             air: Air {
                 wind: self.wind.map(|w| w / self.scale),
@@ -135,7 +135,7 @@ impl Paper {
         }
     }
 
-    /// Times of falls and of hands on a leaf `width` metres wide in book space over those on one of
+    /// Times of falls and of turns on a leaf `width` metres wide in book space over those on one of
     /// the usual width.
     pub(super) fn slowness(&self, width: f64) -> f32 {
         slowness(width * self.scale)

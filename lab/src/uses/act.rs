@@ -76,7 +76,7 @@ impl Use {
             Use::RiffleBack => "turn a riffle back",
             Use::TurnBack => "turn back",
             Use::TwoFingers => "two fingers",
-            Use::TwoHands => "two hands",
+            Use::TwoHands => "two grabs",
         }
     }
 

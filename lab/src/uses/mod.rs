@@ -21,7 +21,7 @@ use open::{Folded, PAGES, STOCKS};
 use reader::Reader;
 use watch::Watched;
 
-/// Runs are played in steps of so many, which shares no factor with their number: any first ones
+/// Runs are played in steps of so many, which has no factor in common with their number: any first ones
 /// of them are of all uses, books, stocks and pages.
 const STRIDE: usize = 233;
 

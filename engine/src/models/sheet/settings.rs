@@ -36,8 +36,8 @@ pub struct SheetSettings {
     pub gravity: [f64; 3],
     /// The air around it.
     pub air: Air,
-    /// Strength of hands on it over what they have for its area and weight.
-    pub hands: f64,
+    /// Strength of grabs on it over what they have for its area and weight.
+    pub grab_strength: f64,
     /// How it is held at the spine.
     pub root: Root,
     /// Length of a step, seconds.
@@ -96,7 +96,7 @@ impl SheetSettings {
             grain: Grain::AlongSpine,
             gravity: [0.0, 0.0, -GRAVITY],
             air: Air::still(width),
-            hands: 1.0,
+            grab_strength: 1.0,
             root: Root::Clamped,
             time_step: 1.0 / 180.0,
             stretch: 8000.0,
@@ -205,7 +205,7 @@ impl SheetSettings {
         let figures = [
             ("width in metres", self.width, 1e-4, 100.0),
             ("height in metres", self.height, 1e-4, 100.0),
-            ("strength of hands", self.hands, 0.0, 1e6),
+            ("strength of grabs", self.grab_strength, 0.0, 1e6),
             ("step in seconds", self.time_step, 1e-7, 0.1),
             ("stiffness against stretch", self.stretch, 1e-3, 1e7),
             ("stiffness against shear", self.shear, 1e-3, 1e7),

@@ -1,6 +1,6 @@
 /**
  * Books of few bytes that would take any time and memory, and long ones that are
- * no attack: for tests that all of them are opened or refused.
+ * no attack: for tests that all of them are opened or rejected.
  */
 
 import { strToU8, zipSync } from "fflate";
@@ -135,7 +135,7 @@ const chapters: Readonly<Record<string, readonly [css: string, body: string]>> =
 export interface HostileBook {
   readonly name: string;
   readonly make: () => File;
-  /** Whether it has to be refused; it has to be opened otherwise. */
+  /** Whether it has to be rejected; it has to be opened otherwise. */
   readonly isRefused: boolean;
 }
 

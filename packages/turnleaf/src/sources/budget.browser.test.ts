@@ -65,7 +65,7 @@ test("a long chapter with the style of a framework is within the budget", async 
   await check(`<h1 data-x="1">One</h1>${prose(5000)}`, css);
 });
 
-test("a chain of references that is longer than the stack is refused in a sentence", async () => {
+test("a chain of references that is longer than the stack is rejected in a sentence", async () => {
   const chain = times(30_000, (k) => `<g id="a${k}"><use href="#a${k + 1}"/></g>`);
   await expect(checkSvg(svg(chain), "It")).rejects.toThrow(
     "It takes more time or memory than a page may: its elements stand for too many others; make it simpler.",

@@ -133,18 +133,18 @@ class Count {
   /** Returns what there is. Rejects with a `BookError` where that is too much. */
   async check(): Promise<PictureCost> {
     const { length } = this.#elements;
-    if (length > limits.elements) this.#refuse(`it has ${length} elements`);
+    if (length > limits.elements) this.#reject(`it has ${length} elements`);
     this.#checkStyle();
     const pixels = await this.#checkPictures();
     const cost = this.#total();
     const { elements, layers } = cost;
     const most = Math.min(length + addedEach * length + addedBesides, limits.elements);
-    if (!(elements <= most)) this.#refuse("its elements stand for too many others");
-    if (!(layers <= deepestLayers)) this.#refuse("too many of its layers are within each other");
+    if (!(elements <= most)) this.#reject("its elements stand for too many others");
+    if (!(layers <= deepestLayers)) this.#reject("too many of its layers are within each other");
     return { ...cost, pixels };
   }
 
-  #refuse(what: string): never {
+  #reject(what: string): never {
     throw new BookError(
       `${this.#name} takes more time or memory than a page may: ${what}; make it simpler.`,
     );
@@ -209,10 +209,10 @@ class Count {
       if (added <= mostGenerated / limits.elements && !isDrawn) continue;
       compared += this.#elements.length;
       // Found here, they take ten times as long as in the layout.
-      if (compared > mostSteps / 10) this.#refuse("its style has too many rules for its elements");
+      if (compared > mostSteps / 10) this.#reject("its style has too many rules for its elements");
       const matched = this.#matching(selectorText);
       generated += added * matched.length;
-      if (generated > mostGenerated) this.#refuse("its style adds too much text");
+      if (generated > mostGenerated) this.#reject("its style adds too much text");
       if (!isDrawn) continue;
       for (const one of matched) {
         this.#styles.set(one, `${this.#styles.get(one) ?? ""};${text}`);
@@ -235,11 +235,11 @@ class Count {
     // Of a text that is added it matters to how many elements; of a variable, where it is used.
     if (name === "content" || name.startsWith("--")) return;
     const length = values.lengthOf(value);
-    if (length > longestValue) this.#refuse(`its style has a ${name} of ${length} characters`);
+    if (length > longestValue) this.#reject(`its style has a ${name} of ${length} characters`);
     if (!/^(grid|column-count$)/.test(name)) return;
     const numbers = `${value} ${values.namedIn(value)}`.match(/(?<![\w.#])\d+/g) ?? [];
     if (numbers.some((count) => Number(count) > mostTracks)) {
-      this.#refuse("its style has a grid of too many columns or rows");
+      this.#reject("its style has a grid of too many columns or rows");
     }
   }
 
@@ -263,7 +263,7 @@ class Count {
         const within = /[^\s>+~,] +[^\s>+~,]/.test(selector) ? ancestors / count : 1;
         steps += count + following * siblings * within + looking * (ancestors + siblings);
       }
-      if (steps > mostSteps) this.#refuse("its style has too many rules for its elements");
+      if (steps > mostSteps) this.#reject("its style has too many rules for its elements");
     }
   }
 
@@ -298,7 +298,7 @@ class Count {
     for (const address of counted) {
       pixels += (await this.#picture(address, /^data:image\//i.test(address))).pixels;
     }
-    if (pixels > limits.imagePixels) this.#refuse("its pictures have too many pixels");
+    if (pixels > limits.imagePixels) this.#reject("its pictures have too many pixels");
     return pixels;
   }
 
@@ -314,12 +314,12 @@ class Count {
     if (address.endsWith(",")) return noPicture;
     const image = await dataPicture(address);
     if (image === null) {
-      if (isPicture) this.#refuse("it has a picture of an unknown kind");
+      if (isPicture) this.#reject("it has a picture of an unknown kind");
       return noPicture;
     }
     if (image.type === "image/svg+xml") {
       const depth = (this.#depth ?? -1) + 1;
-      if (depth > deepestPictures) this.#refuse("too many pictures are within each other");
+      if (depth > deepestPictures) this.#reject("too many pictures are within each other");
       return await costOfSvg(await image.text(), this.#name, depth);
     }
     const size = await claimedSize(image);

@@ -1,4 +1,4 @@
-/** Books that would take any time and memory are opened or refused; others beside them are read. */
+/** Books that would take any time and memory are opened or rejected; others beside them are read. */
 
 import { expect, test } from "vitest";
 import { hostileBooks } from "../for_tests/hostile_books.ts";
@@ -18,7 +18,7 @@ async function readFirst(source: PageSource): Promise<void> {
 }
 
 test.each(hostileBooks())(
-  "$name is opened or refused",
+  "$name is opened or rejected",
   async ({ make, isRefused }) => {
     const file = make();
     const source = await openSource(file).catch((error: unknown) => {
@@ -38,6 +38,6 @@ test.each(hostileBooks())(
     }
     source.close();
   },
-  // Ten seconds by itself; tests share their processors with others.
+  // Ten seconds by itself; tests run beside others.
   60_000,
 );

@@ -271,7 +271,7 @@ export class FoldOut implements FoldOutSheets {
   }
 
   /**
-   * Lets go of a flap: it lies open if the hand was beyond its fold. Paper that lags behind the hand,
+   * Lets go of a flap: it lies open if the pointer was beyond its fold. Paper that lags behind the pointer,
    * or was not there yet, is turned there.
    */
   #letGo(flap: Flap, grab: PointerGrab): void {

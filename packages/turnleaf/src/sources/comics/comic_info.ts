@@ -28,7 +28,7 @@ export interface ComicInfo {
 /** Of a comic without ComicInfo.xml. */
 export const noInfo: ComicInfo = { title: "", language: "", direction: "ltr", pages: new Map() };
 
-/** Returns what a ComicInfo.xml says; of what is none, nothing. */
+/** Returns what a ComicInfo.xml says; nothing of another document. */
 export async function readComicInfo(xml: string): Promise<ComicInfo> {
   // It has no declarations, and those of others could define entities of any size.
   if (/<!DOCTYPE/i.test(xml)) return noInfo;
