@@ -10,10 +10,11 @@
 const parts = {
   "creased_mesh.ts": [],
   "element_plane.ts": [],
+  "metres.ts": [],
   "model_names.ts": [],
   "packed.ts": [],
   engine: ["creased_mesh.ts", "packed.ts"],
-  sources: ["element_plane.ts", "packed.ts"],
+  sources: ["element_plane.ts", "metres.ts", "packed.ts"],
   words: [],
   models: ["creased_mesh.ts", "model_names.ts", "packed.ts"],
   key_frames: ["creased_mesh.ts", "model_names.ts"],
@@ -52,6 +53,7 @@ const parts = {
   element: [
     "book",
     "element_plane.ts",
+    "metres.ts",
     "engine",
     "sources",
     "words",

@@ -77,7 +77,8 @@ impl Leaf {
         let drag = (0.5 * settings.air.density * settings.air.drag) as f32;
         let (width, height) = (settings.width as f32, settings.height as f32);
         let area = settings.width * settings.height;
-        let most = (settings.grab_strength * strongest(settings.stock.grammage, area)) as f32 * width;
+        let most =
+            (settings.grab_strength * strongest(settings.stock.grammage, area)) as f32 * width;
         let gravity = settings.gravity[2] as f32;
 
         let (mut inertia, mut momentum, mut fall) = (0.0f32, 0.0f32, 0.0f32);

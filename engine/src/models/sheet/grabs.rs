@@ -54,7 +54,8 @@ impl Grab {
         let size = material.paper(settings);
         let (u, v) = (u.clamp(0.0, 1.0), v.clamp(0.0, 1.0));
         let grid = (settings.columns, settings.rows);
-        let strength = settings.grab_strength * strongest(settings.stock.grammage, size[0] * size[1]);
+        let strength =
+            settings.grab_strength * strongest(settings.stock.grammage, size[0] * size[1]);
         let mut grab = Grab {
             id,
             place: [u * size[0] as f32, v * size[1] as f32],

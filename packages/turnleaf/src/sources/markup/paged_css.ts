@@ -17,12 +17,12 @@ const pieces = /"(?:[^"\\]|\\.)*"|'(?:[^'\\]|\\.)*'|[^"']+/g;
 
 /** Names of the custom properties that hold a hundredth of the type area's sides. */
 const areaUnit = {
-  w: "var(--turnleaf-area-width)",
-  h: "var(--turnleaf-area-height)",
-  i: "var(--turnleaf-area-inline)",
-  b: "var(--turnleaf-area-block)",
-  min: "min(var(--turnleaf-area-width), var(--turnleaf-area-height))",
-  max: "max(var(--turnleaf-area-width), var(--turnleaf-area-height))",
+  w: "var(--laid-area-width)",
+  h: "var(--laid-area-height)",
+  i: "var(--laid-area-inline)",
+  b: "var(--laid-area-block)",
+  min: "min(var(--laid-area-width), var(--laid-area-height))",
+  max: "max(var(--laid-area-width), var(--laid-area-height))",
 } as const;
 
 /** Returns the value of a property, by its name in full, as it is set in columns. */
@@ -48,6 +48,6 @@ export function pagedValue(name: string, value: string): string {
 export function areaDeclarations(width: number, height: number, isVertical: boolean): string {
   const [inline, block] = isVertical ? [height, width] : [width, height];
   return Object.entries({ width, height, inline, block })
-    .map(([name, length]) => `--turnleaf-area-${name}: ${length / 100}px !important;`)
+    .map(([name, length]) => `--laid-area-${name}: ${length / 100}px !important;`)
     .join(" ");
 }
