@@ -1,8 +1,8 @@
 /** A Chromium for the tests of a file. */
 
-import { readFileSync } from "node:fs";
+import { fileURLToPath } from "node:url";
 import { type Browser, type BrowserContextOptions, chromium, type Page } from "playwright-core";
-import { transformWithOxc } from "vite";
+import { build } from "vite";
 import { afterAll, afterEach, beforeAll } from "vitest";
 import { chromiumArguments, findChromium } from "../../../scripts/chromium.mjs";
 
@@ -122,7 +122,14 @@ export async function newPage(
 const undrawnFile = new URL("../../turnleaf/src/for_tests/undrawn.ts", import.meta.url);
 
 /** A script that gives every canvas of a page a WebGL 2 context that draws nothing. */
-const undrawn: Promise<string> = transformWithOxc(
-  readFileSync(undrawnFile, "utf8"),
-  "undrawn.ts",
-).then(({ code }) => `{ ${code.replace(/^export /gm, "")}\ndrawNothing(); }`);
+const undrawn: Promise<string> = build({
+  configFile: false,
+  logLevel: "silent",
+  build: {
+    write: false,
+    lib: { entry: fileURLToPath(undrawnFile), formats: ["iife"], name: "undrawn" },
+  },
+}).then((built) => {
+  const [{ output }] = [built].flat() as { output: { code: string }[] }[];
+  return `${output[0].code}\nundrawn.drawNothing();`;
+});

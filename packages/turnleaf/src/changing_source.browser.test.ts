@@ -16,6 +16,7 @@ async function doubling() {
   });
   for (const name of [
     "size",
+    "widthInMetres",
     "label",
     "inSpread",
     "draw",

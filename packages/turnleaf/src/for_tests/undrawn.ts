@@ -28,23 +28,20 @@ const parameters: Readonly<Record<string, unknown>> = {
 
 const contexts = new WeakMap<HTMLCanvasElement, Context>();
 
-/** Gives every canvas whose WebGL 2 context is requested from now on one that draws nothing. */
-export function drawNothing(): void {
-  let isLit = true;
+/**
+ * Gives every canvas whose WebGL 2 context is requested from now on one that draws nothing.
+ *
+ * @param onFirst called as the first is requested
+ */
+export function drawNothing(onFirst: () => void = () => {}): void {
+  let isFirst = true;
   hookContexts((canvas, options) => {
-    // Not before a book needs it: most files open none, and its code takes time to load.
-    if (isLit) void leaveLightOut();
-    isLit = false;
+    if (isFirst) onFirst();
+    isFirst = false;
     const context = contexts.get(canvas) ?? undrawnContext(canvas, options);
     contexts.set(canvas, context);
     return context;
   });
-}
-
-/** Has books compute no light, which takes as long as all else of a frame, and which nothing shows. */
-async function leaveLightOut(): Promise<void> {
-  const { DrawnBook } = await import("../webgl/drawn_book.ts");
-  DrawnBook.prototype.light = () => undefined;
 }
 
 function undrawnContext(canvas: HTMLCanvasElement, options: object = {}): Context {

@@ -147,6 +147,7 @@ class Count {
   #reject(what: string): never {
     throw new BookError(
       `${this.#name} takes more time or memory than a page may: ${what}; make it simpler.`,
+      { code: "tooLarge", source: this.#name },
     );
   }
 
