@@ -73,13 +73,13 @@ fn keeps_lengths(seed: &str) {
 /// stay pressed. They lay through themselves, 5 to 11 mm deep.
 #[test]
 fn folded_leaves_that_land_through_themselves_twice_lie_pressed() {
-    lie_pressed(&["133"]);
+    lie_pressed(&["98"]);
 }
 
 #[test]
 #[ignore = "long: make test-long"]
 fn more_folded_leaves_that_land_through_themselves_twice_lie_pressed() {
-    lie_pressed(&["98", "204"]);
+    lie_pressed(&["204"]);
 }
 
 fn lie_pressed(seeds: &[&str]) {

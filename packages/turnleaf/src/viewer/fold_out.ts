@@ -276,11 +276,13 @@ export class FoldOut implements FoldOutSheets {
    */
   #letGo(flap: Flap, grab: PointerGrab): void {
     const { sheet, parts, side } = flap;
+    const { panels } = panelsOf(parts.place);
+    const width = ((parts.place.width - foldAt) * this.#hooks.bound().shape.width) / panels;
+    const [x] = this.#placeOf(flap, grab);
+    const outward = (x - sheet.surface.positions[0]) * (side === Side.right ? 1 : -1);
+    // Shut, panels lie in pairs upon each other, and the end of an odd number of them over the page.
+    flap.isToOpen = outward > Math.floor(panels / 2) * width;
     const isOutward = sheet.angle < Math.PI / 2;
-    // The edge of a flap with further folds does not say by itself how far its first panel is turned.
-    const isCreased = panelsOf(parts.place).panels > 1;
-    const outward = this.#placeOf(flap, grab)[0] - sheet.surface.positions[0];
-    flap.isToOpen = isCreased ? isOutward : outward * (side === Side.right ? 1 : -1) > 0;
     if (flap.isToOpen === isOutward) sheet.release();
     else sheet.turn(flap.isToOpen);
   }
