@@ -74,7 +74,7 @@ const naming = [
 const svg = "http://www.w3.org/2000/svg";
 const xlink = "http://www.w3.org/1999/xlink";
 
-const ownAddress = /href="#([^"]*)"|url\(\s*["']?#([^"')]*)["']?\s*\)/g;
+const ownAddress = /href="#([^"]*)"|url\(\s*["']?#([^"')]*)/g;
 const dataAddress = /url\("(data:[^"]*)"\)/g;
 
 /**
