@@ -97,13 +97,12 @@ describe("what cannot be filmed ends with one sentence", () => {
 });
 
 describe("a film", () => {
-  const pages = ["--pages", "1-5"];
+  const pages = ["--pages", "1-7"];
 
-  // A known fault, to be mended: the first picture after the stop differs. Once it does not, this fails.
-  it.fails("is the same pictures where it was stopped on the way and went on", async () => {
+  it("is the same pictures where it was stopped on the way and went on", async () => {
     const [whole, stopped] = ["whole", "stopped"].map((name) => join(folder.path, name));
     const done = await film([book, ...small, ...pages, "--out", whole]);
-    expect(done.stdout).toMatch(/: \d+ frames, 2 turns, \d+\.\d s\n$/);
+    expect(done.stdout).toMatch(/: \d+ frames, 3 turns, \d+\.\d s\n$/);
     const names = pictures(whole);
     expect(names.length).toBeGreaterThan(12);
     expect(names.at(-1)).toBe(`${String(names.length).padStart(6, "0")}.png`);
