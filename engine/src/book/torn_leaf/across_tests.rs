@@ -129,9 +129,8 @@ fn path_length(leaf: &TornLeaf, path: [[f64; 2]; 2]) -> f64 {
 
 #[test]
 fn both_pieces_keep_their_paper_and_come_to_rest() {
-    let mut moving = 0;
     for stock in [Stock::BIBLE, Stock::BOOK, Stock::CARD] {
-        let (book, leaf) = lying(stock, 0.42);
+        let (book, leaf) = lying(stock, 0.41);
         for path in PATHS {
             let torn = tear_across(leaf.clone(), &book, path);
             let mut pieces = torn.pieces;
@@ -145,10 +144,11 @@ fn both_pieces_keep_their_paper_and_come_to_rest() {
                 piece.release();
                 worst = worst.max(settle(piece, &book));
                 assert_eq!(deepest(piece, &book), 0.0, "{path:?}");
-                if !piece.stillness.is_still() {
-                    eprintln!("{path:?} still moves: {:?}", piece.stillness);
-                    moving += 1;
-                }
+                assert!(
+                    piece.stillness.is_still(),
+                    "{path:?}: {:?}",
+                    piece.stillness
+                );
                 let [paper, drawn] = areas(piece);
                 assert!((drawn / paper - 1.0).abs() < 1e-3, "{drawn} of {paper} m^2");
                 flat += paper;
@@ -165,8 +165,6 @@ fn both_pieces_keep_their_paper_and_come_to_rest() {
             assert!((0.0..0.03).contains(&more), "{path:?}: {more}");
         }
     }
-    // Of the thirty, one strip of card moves on after the time in which a sheet is put down.
-    assert!(moving <= 1, "{moving} pieces do not come to rest");
 }
 
 #[test]
@@ -260,7 +258,7 @@ fn held_half_torn(mut leaf: TornLeaf, book: &Book, path: [[f64; 2]; 2], part: f3
 fn a_half_torn_sheet_that_two_grabs_hold_still_comes_to_rest() {
     let mut moving = Vec::new();
     for stock in [Stock::BIBLE, Stock::CARD] {
-        let (book, leaf) = lying(stock, 0.42);
+        let (book, leaf) = lying(stock, 0.41);
         for path in [PATHS[0], PATHS[2]] {
             for part in [0.2, 0.5] {
                 let leaf = held_half_torn(leaf.clone(), &book, path, part);
