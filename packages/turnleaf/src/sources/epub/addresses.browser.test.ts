@@ -1,29 +1,14 @@
 /** Files of an EPUB, however they are named: books of strangers, each of which failed once. */
 
-import { afterEach, expect, test } from "vitest";
-import { openSource } from "../open.ts";
-import type { NewIndex, PageSource } from "../page_source.ts";
+import { expect, test } from "vitest";
+import { closeBooks, laidOut, wordsOf } from "../../for_tests/laid_out_books.ts";
 import { tinyEpub } from "./tiny_epub.ts";
 
 const never = new AbortController().signal;
-const opened: PageSource[] = [];
 
-afterEach(() => {
-  for (const source of opened.splice(0)) source.close();
-});
-
-async function laidOut(book: Parameters<typeof openSource>[0]): Promise<PageSource> {
-  const source = await openSource(book);
-  opened.push(source);
-  await new Promise<NewIndex>((resolve) => source.watchPages?.((change) => resolve(change())));
-  return source;
-}
-
+closeBooks();
 const fixture = async (name: string): Promise<Blob> =>
   await (await fetch(new URL(`./fixtures/${name}`, import.meta.url))).blob();
-
-const textOf = async (source: PageSource, index: number): Promise<string> =>
-  ((await source.text?.(index, never)) ?? []).map(({ text }) => text).join(" ");
 
 test("reserved characters, escaped in the manifest, the contents, links and pictures", async () => {
   const source = await laidOut(await fixture("e01-hrefs.epub"));
@@ -31,7 +16,7 @@ test("reserved characters, escaped in the manifest, the contents, links and pict
   const outline = (await source.outline?.(never)) ?? [];
   expect(outline.map(({ page }) => page)).toEqual(Array.from({ length: 12 }, (_, k) => k + 1));
   for (let index = 0; index < 12; index++) {
-    expect(await textOf(source, index)).toContain(`File ${index}`);
+    expect(await wordsOf(source, index)).toContain(`File ${index}`);
     expect(await source.alt?.(index, never)).toBe("pic");
     const [link] = (await source.links?.(index, never)) ?? [];
     expect(link?.to).toMatchObject({ page: ((index + 1) % 12) + 1 });
@@ -40,7 +25,7 @@ test("reserved characters, escaped in the manifest, the contents, links and pict
 
 test("names in another case, of chapters, pictures and style sheets", async () => {
   const source = await laidOut(await fixture("e28-case.epub"));
-  expect(await textOf(source, 0)).toBe("Case");
+  expect(await wordsOf(source, 0)).toBe("Case");
   const picture = (await source.draw(0, 100, never)) as ImageBitmap;
   const pen = new OffscreenCanvas(picture.width, picture.height).getContext("2d")!;
   pen.drawImage(picture, 0, 0);
@@ -49,11 +34,11 @@ test("names in another case, of chapters, pictures and style sheets", async () =
 });
 
 test("an EPUB that is zipped in its folder, or without its container, is one", async () => {
-  expect(await textOf(await laidOut(await fixture("e28-folder.epub")), 0)).toBe("Zip");
+  expect(await wordsOf(await laidOut(await fixture("e28-folder.epub")), 0)).toBe("Zip");
   const { unzipSync, zipSync } = await import("fflate");
   const files = unzipSync(tinyEpub({ chapters: ["<p>bare</p>"] }));
   delete files["META-INF/container.xml"];
-  expect(await textOf(await laidOut(zipSync(files) as Uint8Array<ArrayBuffer>), 0)).toBe("bare");
+  expect(await wordsOf(await laidOut(zipSync(files) as Uint8Array<ArrayBuffer>), 0)).toBe("bare");
 });
 
 test("a chapter that is listed and missing, or of a foreign type, is a page that says so", async () => {
@@ -66,7 +51,7 @@ test("a chapter that is listed and missing, or of a foreign type, is a page that
     }),
   );
   expect(source.pageCount).toBe(4);
-  expect(await textOf(source, 0)).toBe("there");
+  expect(await wordsOf(source, 0)).toBe("there");
   const errors = await Promise.all(
     [1, 2, 3].map(async (index) => {
       const drawn = source.draw(index, 100, never);

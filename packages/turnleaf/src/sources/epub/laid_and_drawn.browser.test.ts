@@ -1,34 +1,15 @@
 /** What is drawn of a page is what was laid out: ink stands where its words are, and nowhere else. */
 
-import { afterEach, expect, test } from "vitest";
-import { openSource } from "../open.ts";
-import type { NewIndex, PageSource } from "../page_source.ts";
+import { expect, test } from "vitest";
+import { closeBooks, laidOut, pagesOf } from "../../for_tests/laid_out_books.ts";
+import type { PageSource } from "../page_source.ts";
 import { prose, type TinyEpub, tinyEpub } from "./tiny_epub.ts";
 
 const never = new AbortController().signal;
-const opened: PageSource[] = [];
 
-afterEach(() => {
-  for (const source of opened.splice(0)) source.close();
-});
+closeBooks();
 
-async function laidOut(epub: TinyEpub): Promise<PageSource> {
-  const source = await openSource(tinyEpub(epub));
-  opened.push(source);
-  await new Promise<NewIndex>((resolve) => source.watchPages?.((change) => resolve(change())));
-  return source;
-}
-
-/** Returns the words of a source, page by page. */
-async function pagesOf(source: PageSource): Promise<string[]> {
-  const pages: string[] = [];
-  for (let index = 0; index < source.pageCount; index++) {
-    const runs = (await source.text?.(index, never)) ?? [];
-    pages.push(runs.map(({ text, end }) => text + (end ? " " : "")).join(""));
-  }
-  return pages;
-}
-
+const laidOutEpub = (epub: TinyEpub): Promise<PageSource> => laidOut(tinyEpub(epub));
 const letters = (text: string): string => text.replace(/\s+/g, "");
 
 /** Expects every word in its place: under each is ink, and none is anywhere else. */
@@ -76,7 +57,7 @@ test("rules by namespace hold in every sheet of a chapter, as laid out so as dra
     .map((name) => `<link rel="stylesheet" href="${name}" media="all"/>`)
     .join("");
   const body = `<p epub:type="a">moved</p><p epub:type="b">large</p><p epub:type="c">capital</p>${prose(12, 40)}`;
-  const source = await laidOut({ chapters: [document(head, body)], files });
+  const source = await laidOutEpub({ chapters: [document(head, body)], files });
   const runs = (await source.text?.(0, never)) ?? [];
   const [moved, large, capital] = runs;
   expect(moved?.x).toBeGreaterThan(220);
@@ -97,7 +78,7 @@ test.each([
 ])("%s begins a page, in a sheet and in an element's own style", async (rule, pages) => {
   const body = (own: string): string => `<h1>one</h1><h2 ${own}>two</h2>`;
   const after = /after/.test(rule) ? "<p>three</p>" : "";
-  const source = await laidOut({
+  const source = await laidOutEpub({
     chapters: [body("") + after, `${body(`style="${rule}"`)}${after}`],
     css: `.never {} h2 { ${rule} }`,
   });
@@ -106,7 +87,7 @@ test.each([
 });
 
 test("a view's lengths are those of the type area", async () => {
-  const source = await laidOut({
+  const source = await laidOutEpub({
     chapters: [
       "<div style=\"height: 100vh; background: url('10vh')\"></div><p>second</p>",
       '<p style="margin-left: 50vw; margin-top: calc(10vmin + 1dvh)">half</p>',
@@ -121,7 +102,7 @@ test("a view's lengths are those of the type area", async () => {
 
 const long = prose(7, 60);
 test("a section is set as most of its text is written", async () => {
-  const source = await laidOut({
+  const source = await laidOutEpub({
     chapters: [
       `<p>head</p>${`<div style="writing-mode: vertical-rl; direction: ltr">${prose(2)}</div>`.repeat(5)}`,
       `<div style="writing-mode: vertical-rl">tail</div>${prose(8)}`,
@@ -166,7 +147,7 @@ test.each([
     `<table><tr>${Array.from({ length: 30 }, (_, k) => `<td>column${k}</td>`).join("")}</tr></table>`,
   ],
 ])("%s larger than the page loses nothing and lies on nothing", async (_, box) => {
-  const source = await laidOut({ chapters: [`<p>before</p>${box}<p>after</p>`] });
+  const source = await laidOutEpub({ chapters: [`<p>before</p>${box}<p>after</p>`] });
   const text = new DOMParser().parseFromString(`<p>before</p>${box}<p>after</p>`, "text/html").body;
   const drawn = letters((await pagesOf(source)).join(""));
   const lost = letters(text.textContent ?? "").length - drawn.length;

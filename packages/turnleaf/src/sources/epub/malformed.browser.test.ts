@@ -1,39 +1,14 @@
 /** Markup that is not well-formed: books of strangers, each of which failed once, and others of their kind. */
 
-import { afterEach, expect, test } from "vitest";
-import { openSource } from "../open.ts";
-import type { NewIndex, PageSource } from "../page_source.ts";
+import { expect, test } from "vitest";
+import { closeBooks, laidOut, pagesOf, wordsOf } from "../../for_tests/laid_out_books.ts";
 import { tinyEpub } from "./tiny_epub.ts";
 
 const never = new AbortController().signal;
-const opened: PageSource[] = [];
 
-afterEach(() => {
-  for (const source of opened.splice(0)) source.close();
-});
-
-async function laidOut(book: Parameters<typeof openSource>[0]): Promise<PageSource> {
-  const source = await openSource(book);
-  opened.push(source);
-  await new Promise<NewIndex>((resolve) => source.watchPages?.((change) => resolve(change())));
-  return source;
-}
-
+closeBooks();
 const fixture = async (name: string): Promise<Blob> =>
   await (await fetch(new URL(`./fixtures/${name}`, import.meta.url))).blob();
-
-const textOf = async (source: PageSource, index: number): Promise<string> =>
-  ((await source.text?.(index, never)) ?? [])
-    .map(({ text, end }) => text + (end ? " " : ""))
-    .join("")
-    .replace(/\s+/g, " ")
-    .trim();
-
-async function pagesOf(source: PageSource): Promise<string[]> {
-  const pages: string[] = [];
-  for (let index = 0; index < source.pageCount; index++) pages.push(await textOf(source, index));
-  return pages;
-}
 
 test("chapters with characters by name, tags without ends, prefixes undeclared and the like are whole", async () => {
   const source = await laidOut(await fixture("e09b-malformed.epub"));
@@ -53,14 +28,14 @@ test("contents whose ampersands stand bare, and a chapter in HTML's ways", async
     ["Tom & Jerry", 1],
     ["Second", 2],
   ]);
-  expect(await textOf(source, 0)).toBe(
+  expect(await wordsOf(source, 0)).toBe(
     "Café — naïve “quotes” Unclosed bold Second é & ampersand break",
   );
 });
 
 test("a package with blanks before it, or an encoding that it is not in", async () => {
-  expect(await textOf(await laidOut(await fixture("e11-opfspace.epub")), 0)).toBe("X é");
-  expect(await textOf(await laidOut(await fixture("e29-decl16.epub")), 0)).toBe("decl");
+  expect(await wordsOf(await laidOut(await fixture("e11-opfspace.epub")), 0)).toBe("X é");
+  expect(await wordsOf(await laidOut(await fixture("e29-decl16.epub")), 0)).toBe("decl");
 });
 
 const xhtml = (body: string): string =>
@@ -88,7 +63,7 @@ test.each([
   ["<p>\u0001\uffff&#1;&#xFFFE;&#x110000;control</p>", "control"],
 ])("%j", async (body, text) => {
   const source = await laidOut(tinyEpub({ chapters: [xhtml(body), "<p>next</p>"] }));
-  const page = await textOf(source, 0);
+  const page = await wordsOf(source, 0);
   expect(page.replace(/ /g, "")).toBe(text.replace(/ /g, ""));
   await source.draw(0, 50, never);
 });
@@ -96,14 +71,14 @@ test.each([
 test("a chapter that breaks off says so above what there is of it", async () => {
   const broken = xhtml("<p>whole</p><p>&nbsp;half").replace("</body></html>", "");
   const source = await laidOut(tinyEpub({ chapters: [broken] }));
-  const page = await textOf(source, 0);
+  const page = await wordsOf(source, 0);
   expect(page).toContain("This chapter is damaged in line 1; something in it may be missing.");
   expect(page).toContain("half");
 });
 
 test("elements that lie deeper than any parser of HTML goes are read as a web page", async () => {
   const deep = xhtml(`${"<div>".repeat(3000)}&nbsp;deep`);
-  expect(await textOf(await laidOut(tinyEpub({ chapters: [deep] })), 0)).toContain("deep");
+  expect(await wordsOf(await laidOut(tinyEpub({ chapters: [deep] })), 0)).toContain("deep");
 });
 
 test.each([
@@ -121,7 +96,7 @@ test.each([
     ...encoder.encode(after),
   ]);
   const book = tinyEpub({ chapters: ["x"], raw: { "OEBPS/c1.xhtml": chapter } });
-  expect(await textOf(await laidOut(book), 0)).toBe(text);
+  expect(await wordsOf(await laidOut(book), 0)).toBe(text);
 });
 
 test("a FictionBook with bare ampersands and named characters", async () => {

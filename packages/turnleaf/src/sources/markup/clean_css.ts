@@ -13,6 +13,9 @@ const address = /url\("((?:[^"\\]|\\.)*)"\)/g;
 /** A string of a style sheet; it ends where the line does, so that each is gone through once. */
 const string = /"(?:[^"\\\n\r\f]|\\[\s\S])*"?|'(?:[^'\\\n\r\f]|\\[\s\S])*'?/g;
 
+/** The name of a layer; one of other characters could end its rule. */
+const layerName = /^[\w.-]*$/;
+
 /** A picture or a font in a clean style sheet. */
 const dataAddress = /url\("data:[^"]*"\)/g;
 
@@ -145,9 +148,12 @@ async function cleanRule(rule: CSSRule, resolve: ResolveCss): Promise<string> {
     return `@supports ${rule.conditionText} { ${await cleanRules(rule.cssRules, resolve)} }`;
   }
   if (rule instanceof CSSLayerBlockRule) {
-    return `@layer ${rule.name} { ${await cleanRules(rule.cssRules, resolve)} }`;
+    const name = layerName.test(rule.name) ? rule.name : "";
+    return `@layer ${name} { ${await cleanRules(rule.cssRules, resolve)} }`;
   }
-  if (rule instanceof CSSLayerStatementRule) return rule.cssText;
+  if (rule instanceof CSSLayerStatementRule) {
+    return rule.nameList.every((name) => layerName.test(name)) ? rule.cssText : "";
+  }
   if (rule instanceof CSSCounterStyleRule) return loading.test(rule.cssText) ? "" : rule.cssText;
   return "";
 }

@@ -49,15 +49,16 @@ export function fitBoxes(body: Element, area: PageSize, writingMode: string): vo
       // What is within a box that changes is looked at once that has changed.
       if (done?.contains(element)) continue;
       // One rectangle for each page that it is on.
-      const rects = element.getClientRects();
+      const rects = [...element.getClientRects()];
       if (rects.length === 0) continue;
       const isWhole = rects.length === 1;
       const isHigh = isWhole && lengthsOf(rects[0] as DOMRect, isVertical).down > page + tolerance;
       const isWide =
-        widthOf(element, isVertical) > line + tolerance || isOverlong(element, isVertical);
+        widthOf(rects, isVertical) > line + tolerance ||
+        (isWhole && isOverlong(element, isVertical));
       const isLined =
         isWhole || !/^(?:pre|nowrap)$/.test(view.getComputedStyle(element).whiteSpace);
-      if (!isHigh && !isWide && isLined && !isOverfull(element, range)) continue;
+      if (!isHigh && !isWide && isLined && !isOverfull(element, rects, range)) continue;
       known.add(element);
       // The items of a grid are as wide as its tracks.
       const grid = isWide ? element.parentElement : null;
@@ -92,8 +93,7 @@ function lengthsOf(
 }
 
 /** Returns how wide a box is on the page where it is widest. */
-function widthOf(element: Element, isVertical: boolean): number {
-  const rects = [...element.getClientRects()];
+function widthOf(rects: readonly DOMRect[], isVertical: boolean): number {
   return Math.max(...rects.map((rect) => lengthsOf(rect, isVertical).across), 0);
 }
 
@@ -102,17 +102,17 @@ function isOverlong(element: HTMLElement, isVertical: boolean): boolean {
   const [inner, content] = isVertical
     ? [element.clientHeight, element.scrollHeight]
     : [element.clientWidth, element.scrollWidth];
-  return inner > 0 && content > inner + tolerance && element.getClientRects().length === 1;
+  return inner > 0 && content > inner + tolerance;
 }
 
 /**
  * Returns whether what is in a box ends beyond it. By the place of what is last in it, as a browser does
  * not measure what goes on in the next column.
  */
-function isOverfull(element: HTMLElement, range: Range): boolean {
+function isOverfull(element: HTMLElement, rects: readonly DOMRect[], range: Range): boolean {
   const last = element.lastChild;
   if (element.clientHeight === 0 || last === null) return false;
-  const own = [...element.getClientRects()].at(-1);
+  const own = rects.at(-1);
   range.selectNode(last);
   const end = [...range.getClientRects()].findLast(({ width, height }) => width > 0 && height > 0);
   if (!own || !end) return false;
@@ -168,7 +168,7 @@ function fittedTable(table: HTMLElement, line: number, isVertical: boolean): Sty
   for (const name of ["inline-size", "min-inline-size"]) setAll(name, "auto");
   setAll("white-space", "normal");
   table.style.setProperty("inline-size", "min-content", "important");
-  const least = widthOf(table, isVertical);
+  const least = widthOf([...table.getClientRects()], isVertical);
   const size = Math.max(Math.min(line / least, 1), smallestTable);
   // By an element's own style sheet words are broken where a line has no room, not to make it narrower.
   if (least * size > line) setAll("overflow-wrap", "anywhere");
