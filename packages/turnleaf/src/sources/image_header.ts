@@ -9,7 +9,7 @@ import { JPG } from "image-size/types/jpg";
 import { PNG } from "image-size/types/png";
 import { WEBP } from "image-size/types/webp";
 import type { PageSize } from "./page_source.ts";
-import { imageType, type Kind, sniff, sniffLength } from "./sniff.ts";
+import { imageType, type Kind, rareImageType, sniff, sniffLength } from "./sniff.ts";
 
 /**
  * Bytes in which a header is searched for: a JPEG's may come after a large
@@ -44,7 +44,8 @@ export async function kindOfFile(file: Blob): Promise<Kind> {
  * or its file's name says.
  */
 export async function typedImage(image: Blob): Promise<Blob> {
-  const type = imageType(await startOf(image));
+  const start = await startOf(image);
+  const type = imageType(start) ?? rareImageType(start);
   return type === null || type === image.type ? image : new Blob([image], { type });
 }
 

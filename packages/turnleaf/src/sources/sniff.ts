@@ -28,6 +28,7 @@ const mostBefore = 1024;
 /** How many first bytes `sniff` examines. */
 export const sniffLength: number = mostBefore + pdfMark.length;
 
+/** Images that browsers show. */
 const images: readonly (readonly [type: string, offset: number, mark: string])[] = [
   ["image/png", 0, "\x89PNG\r\n\x1a\n"],
   ["image/jpeg", 0, "\xff\xd8\xff"],
@@ -36,6 +37,10 @@ const images: readonly (readonly [type: string, offset: number, mark: string])[]
   ["image/webp", 8, "WEBP"],
   ["image/avif", 4, "ftypavif"],
   ["image/avif", 4, "ftypavis"],
+];
+
+/** Those that few browsers show, and whose sizes are not known before they do. */
+const rareImages: typeof images = [
   ["image/heic", 4, "ftyphei"],
   ["image/heic", 4, "ftypmif1"],
   ["image/tiff", 0, "II*\0"],
@@ -81,7 +86,7 @@ const fictionBook = [/^<(\?xml|!--|!doctype fictionbook|fictionbook)/i, /<fictio
  */
 export function sniff({ start, type }: FileStart): Kind {
   const text = latin1(start.subarray(0, sniffLength));
-  if (imageType(start) !== null) return "image";
+  if (imageType(start) ?? rareImageType(start)) return "image";
   if (text.includes(pdfMark)) return "pdf";
   if (text.startsWith(zip)) return "zip";
   if (text.startsWith(rar)) return "rar";
@@ -123,7 +128,13 @@ function isText(start: Uint8Array, type: string): boolean {
   }
 }
 
-/** Returns the MIME type of an image by its first bytes; null if they are not an image's. */
+/** Returns the MIME type of an image that few browsers show by its first bytes; null if it is none. */
+export function rareImageType(start: Uint8Array): string | null {
+  const text = latin1(start.subarray(0, sniffLength));
+  return rareImages.find(([, offset, mark]) => text.startsWith(mark, offset))?.[0] ?? null;
+}
+
+/** Returns the MIME type of an image that browsers show by its first bytes; null if they are not such an image's. */
 export function imageType(start: Uint8Array): string | null {
   const text = latin1(start.subarray(0, sniffLength));
   const found = images.find(([, offset, mark]) => text.startsWith(mark, offset));

@@ -228,6 +228,16 @@ test("a page is drawn in the fonts of the book, and carries those alone that it 
 });
 
 describe("its files", () => {
+  test("leave out a picture that few browsers show, and nothing else of its chapter", async () => {
+    const tiff = Uint8Array.from("II*\0".padEnd(100, "\0"), (letter) => letter.charCodeAt(0));
+    const source = await laidOut({
+      chapters: ['<p>Before</p><img src="a.tif" alt="none"/><p>After</p>'],
+      files: { "a.tif": tiff },
+    });
+    expect((await textOf(source, 0)).replace(/\s+/g, " ")).toBe("Before After ");
+    await source.draw(0, 50, never);
+  });
+
   test("are those that its manifest lists, and no others", async () => {
     const red = await png("#f00");
     const source = await laidOut({

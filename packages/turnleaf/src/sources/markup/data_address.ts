@@ -7,7 +7,7 @@ import { limits } from "../limits.ts";
 const headLength = 1 << 20;
 
 /** Kinds of pictures whose sizes are known before they are decoded. */
-const knownKind = /^image\/(png|jpeg|gif|webp|avif|svg\+xml)$/;
+const knownKind = /^image\/(png|jpeg|gif|webp|avif|bmp|svg\+xml)$/;
 
 /**
  * Returns an address of data if it is a font, or a picture of a known kind that is
