@@ -54,7 +54,7 @@ class Film {
     book.setAttribute("duration", String(1000 * config.turnSeconds));
     for (const [name, value] of Object.entries(config.attributes)) book.setAttribute(name, value);
     // The clock waits for every frame.
-    Object.assign(book, { fullQuality: true });
+    Object.assign(book, { filmFrames: clock });
     this.#book = book;
     this.#frame = 1000 / config.fps;
     this.#src = config.src;

@@ -14,8 +14,8 @@ export class FilmClock {
   /** When the current movement began, and the time since then, milliseconds. */
   #start = 1000;
   #passed = 0;
-  /** Whether the current frame will not be seen. */
-  #isUnseen = false;
+  /** Whether the film does not show the current frame: drawn in software, it would take a second. */
+  isSkipped = false;
   /** Whether frames come by themselves, as they do in a page. */
   #isFree = true;
 
@@ -26,7 +26,6 @@ export class FilmClock {
       return this.#count;
     };
     window.cancelAnimationFrame = (id) => void this.#waiting.delete(id);
-    this.#skipUnseen();
   }
 
   /** Whether a frame is requested: something moves. */
@@ -59,7 +58,7 @@ export class FilmClock {
     const frames = Math.ceil(milliseconds / longest);
     for (let frame = 1; frame <= frames; frame++) {
       this.#passed += milliseconds / frames;
-      this.#isUnseen = frame < frames || !isSeen;
+      this.isSkipped = frame < frames || !isSeen;
       this.#call();
     }
   }
@@ -68,10 +67,10 @@ export class FilmClock {
    * Calls what waits for a frame while no time passes: what moves asks for another, and nothing
    * else does.
    *
-   * @param isSeen as in `pass`: a frame that is not drawn leaves the picture empty
+   * @param isSeen as in `pass`
    */
   stand(isSeen: boolean): void {
-    this.#isUnseen = !isSeen;
+    this.isSkipped = !isSeen;
     this.#call();
   }
 
@@ -82,23 +81,9 @@ export class FilmClock {
       for (const each of calls) each(this.#now);
     };
     call();
-    if (!this.#isUnseen || this.isAsked) return;
+    if (!this.isSkipped || this.isAsked) return;
     // Everything came to rest in a frame that was not drawn, and nobody will request another.
-    this.#isUnseen = false;
+    this.isSkipped = false;
     call();
-  }
-
-  /** Software rendering takes a second per frame: frames without a picture are not drawn. */
-  #skipUnseen(): void {
-    const { prototype } = WebGL2RenderingContext;
-    for (const name of ["drawElements", "drawArrays"] as const) {
-      const draw = prototype[name] as (...what: number[]) => void;
-      Object.assign(prototype, {
-        [name]: ((clock) =>
-          function (this: WebGL2RenderingContext, ...what: number[]) {
-            if (!clock.#isUnseen) draw.apply(this, what);
-          })(this),
-      });
-    }
   }
 }

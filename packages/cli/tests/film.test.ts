@@ -1,6 +1,7 @@
 import { type ChildProcess, execFileSync } from "node:child_process";
 import { existsSync, readdirSync, readFileSync, statSync } from "node:fs";
 import { join } from "node:path";
+import { PNG } from "pngjs";
 import { afterAll, beforeAll, describe, expect, it } from "vitest";
 import { parseCommand } from "../src/arguments.ts";
 import { findProgram } from "../src/chromium/find_program.ts";
@@ -96,6 +97,25 @@ describe("what cannot be filmed ends with one sentence", () => {
   });
 });
 
+/**
+ * Fraction of a small picture that the outlines of both pages take, two pixels wide. The GL that Chromium
+ * has in software draws the edge of a page that ends between two samples now at one, now at the other, on
+ * a busy machine and of the same vertices; another moment of a turn differs in half of the picture.
+ */
+const outlines = 0.1;
+
+/** Returns the fraction of pixels that differ between two pictures. */
+function differing(a: Buffer, b: Buffer): number {
+  const [one, other] = [PNG.sync.read(a), PNG.sync.read(b)];
+  expect([other.width, other.height]).toEqual([one.width, one.height]);
+  const pixels = one.data.length / 4;
+  let count = 0;
+  for (let at = 0; at < one.data.length; at += 4) {
+    if (one.data.readUInt32LE(at) !== other.data.readUInt32LE(at)) count++;
+  }
+  return count / pixels;
+}
+
 describe("a film", () => {
   const pages = ["--pages", "1-7"];
 
@@ -124,7 +144,7 @@ describe("a film", () => {
     expect(kept.map((name) => statSync(join(stopped, name)).mtimeMs)).toEqual(times);
     for (const name of names) {
       const [a, b] = [whole, stopped].map((folder) => readFileSync(join(folder, name)));
-      expect(a?.equals(b as Buffer), name).toBe(true);
+      expect(differing(a as Buffer, b as Buffer), name).toBeLessThan(outlines);
     }
     // Each turn shows other pictures than the resting book before and after it.
     expect(

@@ -40,6 +40,7 @@ import type { BookInput } from "./sources/open.ts";
 import type { PageList } from "./sources/page_list.ts";
 import { BookError, type NewIndex, type Typography } from "./sources/page_source.ts";
 import type { Viewer, ViewerOptions, Zoom } from "./viewer/viewer.ts";
+import type { FilmFrames } from "./viewer/viewer_options.ts";
 import { elementTexts, fill, languageOf, loadLanguage, percent } from "./words/languages.ts";
 
 /** Duration of a zoom by command, seconds. */
@@ -93,12 +94,11 @@ export class TurnleafBook extends ReaderElement {
     failed: (error) => this.#fail(error),
   });
   /**
-   * If true when a book opens, every frame of it is drawn as one at rest is, however long that
-   * takes.
+   * The film that is made of the books that open, null for none.
    *
    * @internal
    */
-  fullQuality = false;
+  filmFrames: FilmFrames | null = null;
   /** Changes the book's pages, once they are to be changed. */
   #pageChanges: Promise<PageChanges> | null = null;
   readonly #controls = new ControlsLoader((error) => this.#reportMissingPart(error));
@@ -774,7 +774,7 @@ export class TurnleafBook extends ReaderElement {
       paper: () => this.#leaves,
       page: () => this.#firstPage(source),
       turnSeconds: () => turnSecondsOf(this),
-      fullQuality: this.fullQuality,
+      filmFrames: this.filmFrames,
       model: () => this,
       onStart: (low, high, forward) => this.#started(low, high, forward),
       onRest: (from, to) => this.#rested(from, to),

@@ -579,12 +579,15 @@ export class Viewer {
     const isFlat = !this.#foldOut.isVisible;
     this.#setStill(!turning && isFlat && !this.#crossFade.isOn);
     const { pixels, roughly } = this.#frameQuality.quality;
-    const isFull = resting || this.#options.fullQuality === true;
+    const { filmFrames = null } = this.#options;
+    const isFull = resting || filmFrames !== null;
     this.#stage.pose(pose, roughly && !isFull);
     this.#options.onMotion?.(posed, seconds, (turning && !still) || tearing);
     // Where the processor draws, a frame that is soon drawn again is not worth all its pixels.
     this.#isPlain = resting && this.#stage.isSoftware && !this.#bitmaps.settled;
-    this.#stage.draw({ resting: isFull && !this.#isPlain, pixels });
+    if (!filmFrames?.isSkipped) {
+      this.#stage.draw({ resting: isFull && !this.#isPlain, pixels });
+    }
     this.#bitmaps.paused = !resting;
     this.#crossFade.step(now, this.turning.spread);
     if (this.#destroyed) return;

@@ -23,6 +23,12 @@ export interface TearOwner {
   heard(work: number): void;
 }
 
+/** The frames of a film, whose clock waits for each. */
+export interface FilmFrames {
+  /** Whether the film does not show the current frame. */
+  readonly isSkipped: boolean;
+}
+
 /** How a book is shown. */
 export interface ViewerOptions extends Partial<BindingOptions> {
   /** Returns the paper of the leaves; called when the book lies open. */
@@ -32,10 +38,10 @@ export interface ViewerOptions extends Partial<BindingOptions> {
   /** Returns the length of a played turn in seconds; called likewise. */
   readonly turnSeconds: () => number;
   /**
-   * If true, every frame is drawn as one at rest is, however long that takes: for a clock that
-   * waits for it. The default is no.
+   * The film that is made of the book, or null: its frames are drawn as those at rest are, however
+   * long that takes, and those that it skips are not drawn.
    */
-  readonly fullQuality?: boolean;
+  readonly filmFrames?: FilmFrames | null;
   /** Returns the model that turns the leaves; called likewise. The default is sheets. */
   readonly model?: () => ModelChoice;
   /** A turn begins between two spreads. */
