@@ -1,13 +1,13 @@
 import { type ChildProcess, execFileSync } from "node:child_process";
 import { existsSync, readdirSync, readFileSync, statSync } from "node:fs";
 import { join } from "node:path";
-import { PNG } from "pngjs";
 import { afterAll, beforeAll, describe, expect, it } from "vitest";
 import { parseCommand } from "../src/arguments.ts";
 import { findProgram } from "../src/chromium/find_program.ts";
 import { Frames } from "../src/film/frames.ts";
 import { pdf } from "./books.ts";
 import { type Ended, folderOf, main, runWithChromium, signalOnce } from "./command.ts";
+import { expectSamePicture } from "./same_picture.ts";
 
 /** Small and few: rendering is in software here. */
 const small = ["--size", "96x64", "--fps", "8", "--seconds-per-turn", "0.5", "--pause", "0.25"];
@@ -97,25 +97,6 @@ describe("what cannot be filmed ends with one sentence", () => {
   });
 });
 
-/**
- * Fraction of a small picture that the outlines of both pages take, two pixels wide. The GL that Chromium
- * has in software draws the edge of a page that ends between two samples now at one, now at the other, on
- * a busy machine and of the same vertices; another moment of a turn differs in half of the picture.
- */
-const outlines = 0.1;
-
-/** Returns the fraction of pixels that differ between two pictures. */
-function differing(a: Buffer, b: Buffer): number {
-  const [one, other] = [PNG.sync.read(a), PNG.sync.read(b)];
-  expect([other.width, other.height]).toEqual([one.width, one.height]);
-  const pixels = one.data.length / 4;
-  let count = 0;
-  for (let at = 0; at < one.data.length; at += 4) {
-    if (one.data.readUInt32LE(at) !== other.data.readUInt32LE(at)) count++;
-  }
-  return count / pixels;
-}
-
 describe("a film", () => {
   const pages = ["--pages", "1-7"];
 
@@ -144,7 +125,7 @@ describe("a film", () => {
     expect(kept.map((name) => statSync(join(stopped, name)).mtimeMs)).toEqual(times);
     for (const name of names) {
       const [a, b] = [whole, stopped].map((folder) => readFileSync(join(folder, name)));
-      expect(differing(a as Buffer, b as Buffer), name).toBeLessThan(outlines);
+      expectSamePicture(a as Buffer, b as Buffer, name);
     }
     // Each turn shows other pictures than the resting book before and after it.
     expect(

@@ -15,6 +15,7 @@ import { type Frames, mostPictures } from "../src/film/frames.ts";
 import { Progress } from "../src/progress.ts";
 import { page as coloured } from "./books.ts";
 import { type Ended, folderOf, runWithChromium } from "./command.ts";
+import { expectSamePicture } from "./same_picture.ts";
 
 const parse = (...args: string[]): FilmCommand =>
   parseCommand(["film", "a.pdf", "--out", "a", ...args]) as FilmCommand;
@@ -239,7 +240,7 @@ describe("films", () => {
       const again = pictures("stopped");
       expect(again).toHaveLength(whole.length);
       for (const [k, picture] of again.entries()) {
-        expect(picture.equals(whole[k] as Buffer), `frame ${k + 1}`).toBe(true);
+        expectSamePicture(whole[k] as Buffer, picture, `frame ${k + 1}`);
       }
     }, 240_000);
 
