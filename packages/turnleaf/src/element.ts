@@ -89,6 +89,7 @@ export class TurnleafBook extends ReaderElement {
     changing: (change) => void this.#followSource(change),
     measured: () => this.#laidOut(),
     renumbered: (moved, pageCount) => this.moveLists(moved.placeOf ?? moved, pageCount),
+    warned: () => this.reportWarnings(),
     missingPart: (error) => this.#reportMissingPart(error),
     failed: (error) => this.#fail(error),
   });

@@ -3,6 +3,7 @@
  * so that a test double can replace it.
  */
 
+import type { WarningDetail } from "../element/events.ts";
 import type { PrintOptions } from "../element/printing.ts";
 import type { BookDetail, OutlineEntry, PagePicture } from "../sources/page_source.ts";
 
@@ -45,6 +46,8 @@ export interface ControlledBook<Hit extends FoundPlace = FoundPlace> extends HTM
   /** What the book's owner wants to be shown of it. */
   readonly titleDirection: "ltr" | "rtl" | "auto";
   readonly details: readonly BookDetail[];
+  /** What cannot be shown of it. */
+  readonly warnings: readonly WarningDetail[];
   label(page: number): string;
   /**
    * Returns what says on which face a page (from 1) lies where two are shown side by side, in the

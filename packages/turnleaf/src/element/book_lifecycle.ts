@@ -65,6 +65,8 @@ export interface LifecycleHooks {
   measured(): void;
   /** The pages of the open book, so many before, lie elsewhere: it is about to be bound anew. */
   renumbered(moved: NewIndex, pageCount: number): void;
+  /** What cannot be shown of the open book may be another list. */
+  warned(): void;
   /** An optional part of the viewer could not be loaded. */
   readonly missingPart: (error: unknown) => void;
   /** A book could not be opened; another may still be open. */
@@ -288,6 +290,11 @@ export class BookLifecycle {
       if (book?.source !== source) return;
       book.measure().then(() => this.#hooks.measured(), this.#hooks.missingPart);
     });
+    const warned = (): void => {
+      if (this.#book?.source === source) this.#hooks.warned();
+    };
+    source.watchWarnings(warned);
+    warned();
     source.watchDrawings((index) => {
       if (this.#book?.source !== source) return;
       this.#book.viewer.redraw(index + 1);

@@ -39,7 +39,7 @@ export const textStyle: string = /* css */ `
   box-shadow: 0 4px 20px rgb(0 0 0 / 0.22); user-select: text; -webkit-user-select: text;
 }
 .note:focus { outline: none; }
-.note p { margin: 0; overflow-wrap: break-word; }
+.note p { margin: 0; overflow-wrap: break-word; white-space: pre-line; }
 .note button {
   display: block; margin: 0.6em 0 0 auto; padding: 0.2em 0; border: 0; background: none; cursor: pointer;
   font: 13px var(--turnleaf-font, system-ui, sans-serif); color: var(--turnleaf-accent, #8a3324); text-decoration: underline;

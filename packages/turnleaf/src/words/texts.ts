@@ -1,5 +1,7 @@
 /** The texts of the element and its controls, in one language. */
 
+import type { BookWarningCode } from "../sources/page_source.ts";
+
 /**
  * A text that depends on a number: one wording for each of the language's plural
  * forms that differ, `other` for the rest. `{n}` stands for the number.
@@ -96,6 +98,8 @@ export interface ControlTexts {
   readonly sepia: string;
   readonly night: string;
   readonly noContents: string;
+  /** Over a list of what cannot be shown of the book. */
+  readonly notShown: Plural;
   readonly noBookmarks: string;
   readonly searchHint: string;
   readonly searching: string;
@@ -163,5 +167,12 @@ export interface ErrorTexts {
   readonly onPage: string;
 }
 
+/**
+ * What the element says of a `BookWarning` in other languages than English, by its `code`; the
+ * warning's own `message` is English. `{source}` is the file, address, name or title.
+ */
+export type WarningTexts = Readonly<Record<BookWarningCode, string>>;
+
 /** Every text, so that a language is added whole. */
-export type Texts = ElementTexts & ControlTexts & { readonly errors: ErrorTexts };
+export type Texts = ElementTexts &
+  ControlTexts & { readonly errors: ErrorTexts; readonly warnings: WarningTexts };

@@ -10,7 +10,14 @@ import { limits } from "../limits.ts";
 import { loadPart } from "../load_part.ts";
 import { type MarkupType, parseMarkup } from "../markup/parse_markup.ts";
 import { readMarkup } from "../markup/read_markup.ts";
-import { type BookDetail, BookError, type PageSource, type Typography } from "../page_source.ts";
+import {
+  type BookDetail,
+  BookError,
+  type BookWarning,
+  type BookWarningCode,
+  type PageSource,
+  type Typography,
+} from "../page_source.ts";
 import type {
   FlowBook,
   FlowContent,
@@ -21,6 +28,7 @@ import type {
 } from "../typeset/flow_book.ts";
 import { FlowSource } from "../typeset/flow_source.ts";
 import { isRightToLeft } from "../typeset/writing_direction.ts";
+import { warningOf } from "../warnings.ts";
 import { loadChapter } from "./chapter.ts";
 import { folderOfEpub, packageOf } from "./container.ts";
 import { EpubFiles } from "./epub_files.ts";
@@ -166,7 +174,10 @@ async function readEpub(archive: Archive, file: Blob, name: string): Promise<Flo
   const sections = ordered.map((chapter, index): FlowSection => {
     const { href, missing, isFixed, side } = chapter;
     const load = async (): Promise<FlowContent> => {
-      if (missing !== "") throw new BookError(missing, { code: "partMissing", source: name });
+      if (missing !== "") {
+        const code = names.has(href) ? "unsupported" : "damaged";
+        throw new BookError(missing, { code, source: cleanText(href) || chapter.id });
+      }
       return await loadChapter(files, chapter, name);
     };
     const roll = rolls[index];
@@ -218,11 +229,11 @@ async function readEpub(archive: Archive, file: Blob, name: string): Promise<Flo
     recording: (path) => readMedium(path, /^audio\//),
   });
   const outline = (items: readonly TocItem[] | null | undefined): FlowOutline[] =>
-    (items ?? []).map(({ label, href, subitems }) => ({
-      title: cleanText(label) || "–",
-      target: href ? targetOfMark(href) : null,
-      children: outline(subitems),
-    }));
+    (items ?? []).map(({ label, href, subitems }) => {
+      const target = href ? targetOfMark(href) : null;
+      const isLost = Boolean(href) && target === null;
+      return { title: cleanText(label) || "–", target, isLost, children: outline(subitems) };
+    });
   return {
     name,
     title: cleanText(textOf(metadata.title)) || name,
@@ -235,6 +246,9 @@ async function readEpub(archive: Archive, file: Blob, name: string): Promise<Flo
     details: creatorsOf(resources.opf),
     sections,
     outline: outline(toc),
+    warnings: listed
+      .filter(({ href }) => !names.has(href))
+      .flatMap((item) => missingFile(item, paths.nameOf(item.href, packagePath), name)),
     // A book may be by anybody, and was not found by following links.
     asksToLeave: true,
     ...(overlays.length > 0 ? { narration: narration() } : {}),
@@ -265,6 +279,20 @@ function missingChapter(
   if (!names.has(item.href)) return `${what}, a chapter of ${name}, is missing in it; ${about}`;
   return `${what}, a chapter of ${name}, is of a type that is not read (${cleanText(item.mediaType)}); ${about}`;
 }
+
+/** Returns a warning of a file that a manifest lists and the archive does not have, if it is to be seen or heard. */
+function missingFile({ mediaType }: ManifestItem, path: string, name: string): BookWarning[] {
+  const code = warningCodes.find(([type]) => type.test(mediaType))?.[1];
+  return code === undefined ? [] : [warningOf(code, path, name)];
+}
+
+/** The codes of warnings by the media types of files. Chapters say themselves that they are missing. */
+const warningCodes: readonly (readonly [type: RegExp, code: BookWarningCode])[] = [
+  [/^image\//i, "image"],
+  [/^(audio|video)\//i, "medium"],
+  [/^text\/css$/i, "style"],
+  [/^font\/|font|opentype/i, "font"],
+];
 
 /** A book's manifest by the ids of its items. */
 interface Manifest {
