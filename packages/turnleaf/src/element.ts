@@ -124,6 +124,8 @@ export class TurnleafBook extends ReaderElement {
   #reported: number | null = null;
   /** What is said while no book is open: why not. */
   #status: "missing" | "opening" | null = null;
+  /** Whether the last book could not be opened, and no other is being read. */
+  #hasFailed = false;
   /** The state of the last `statechange`. */
   #state: BookState = "resting";
   /** Whether the element is in a document. */
@@ -298,7 +300,8 @@ export class TurnleafBook extends ReaderElement {
    * Turns to a page (from 1, clamped to the book), or changes to it at once.
    * Resolves, once the book is at rest, to whether it lies there. While a book
    * is opening, that book opens there: resolves once it has, to false if it
-   * cannot be opened, or is given up without another in its place. Rejects with
+   * cannot be opened, or is given up without another in its place. After a book that could not be opened
+   * it resolves to false. Rejects with
    * a `TypeError` if the page is not a number.
    *
    * @param options whether the book turns there with motion
@@ -309,7 +312,12 @@ export class TurnleafBook extends ReaderElement {
       return Promise.reject(new TypeError(`goTo takes the number of a page; ${page} is none.`));
     }
     this.#reported = null;
-    if (this.#viewer === undefined || this.#life.isReading) return this.#asked.ask(asked);
+    if (this.#viewer === undefined || this.#life.isReading) {
+      const lies = this.#asked.ask(asked);
+      // The next book opens there, but nothing is awaited where none is to come.
+      if (this.#hasFailed) this.#asked.failed();
+      return lies;
+    }
     return this.turnTo(asked, options);
   }
 
@@ -730,6 +738,7 @@ export class TurnleafBook extends ReaderElement {
     if (!this.#connected) return;
     const input = this.#input ?? (this.src || this.#childPages());
     this.#status = input === "" ? "missing" : "opening";
+    this.#hasFailed = false;
     this.#sayStatus();
     if (input === "") this.#life.close();
     else this.#life.open(input, this.src);
@@ -949,6 +958,7 @@ export class TurnleafBook extends ReaderElement {
   #fail(error: unknown): void {
     const detail = failureDetail(error, languageOf(this));
     this.#status = null;
+    this.#hasFailed = true;
     this.#tree.say(detail.message, "alert", this.#life.book !== null);
     this.#asked.failed();
     this.#updateState();

@@ -94,7 +94,12 @@ async function openAddress(address: string, options: OpenOptions): Promise<PageS
   const url = resolve(address, options);
   prepareFor(url, options);
   const file = await fileAt(url, options.name ?? nameOfUrl(url), options.signal);
-  return await openFile(file, { ...options, base: url });
+  const fragment = new URL(url).hash.slice(1);
+  const source = await openFile(file, { ...options, base: url, fragment });
+  const page = Number(new URLSearchParams(fragment).get("page"));
+  if (!(Number.isInteger(page) && page >= 1)) return source;
+  // The address says it of any format, and says more than the file.
+  return Object.defineProperty(source, "openingPage", { value: Math.min(page, source.pageCount) });
 }
 
 async function openBlob(blob: Blob, options: OpenOptions): Promise<PageSource> {

@@ -1,5 +1,5 @@
 import type { PDFDocumentLoadingTask, PDFDocumentProxy, PDFPageProxy } from "pdfjs-dist";
-import { cleanAddress, cleanLanguage, cleanText } from "./book_text.ts";
+import { cleanAddress, cleanLanguage, cleanText, decodeEscapes } from "./book_text.ts";
 import { nameAndMessage, unknownFailure } from "./failures.ts";
 import { brokeOff, httpError } from "./fetch_bytes.ts";
 import { fitPixels, isPageSize, limits, wholePage } from "./limits.ts";
@@ -49,6 +49,8 @@ export interface PdfOptions {
   readonly askPassword?: (isWrong: boolean) => Promise<string | null>;
   /** Aborts the opening. */
   readonly signal?: AbortSignal;
+  /** What stands behind "#" in the address: it may name a place at which to open. */
+  readonly fragment?: string;
 }
 
 /** Bytes of one such piece. */
@@ -106,7 +108,7 @@ export async function openPdf(input: PdfInput, options: PdfOptions = {}): Promis
       };
     }
     const opening = thread.orFailed(
-      Promise.race([describe(task, input), grownTooLarge(task, input)]),
+      Promise.race([describe(task, input, options.fragment), grownTooLarge(task, input)]),
     );
     const description = await (signal ? orAborted(opening, signal) : opening);
     return new PdfSource(thread, description, stop);
@@ -162,12 +164,19 @@ interface Description {
 }
 
 /**
- * Returns the page at which a PDF should open; the first if it does not say, or
- * its setting is invalid.
+ * Returns the page at which a PDF should open, by a named destination of its address or by its own
+ * setting; the first if neither is valid.
  */
-async function openingPageOf(document: PDFDocumentProxy, targets: PdfTargets): Promise<number> {
+async function openingPageOf(
+  document: PDFDocumentProxy,
+  targets: PdfTargets,
+  fragment: string,
+): Promise<number> {
+  const bare = fragment.includes("=") ? null : decodeEscapes(fragment);
+  const named = new URLSearchParams(fragment).get("nameddest") ?? bare;
+  const there = named ? await targets.page(named) : null;
   const action = await document.getOpenAction();
-  return (await targets.page(action?.get("dest"))) ?? 1;
+  return there ?? (await targets.page(action?.get("dest"))) ?? 1;
 }
 
 /** Returns who wrote a PDF and by which rights it may be used, as far as it says so. */
@@ -193,7 +202,11 @@ function detailsOf(
   ];
 }
 
-async function describe(task: PDFDocumentLoadingTask, input: PdfInput): Promise<Description> {
+async function describe(
+  task: PDFDocumentLoadingTask,
+  input: PdfInput,
+  fragment = "",
+): Promise<Description> {
   const document = await task.promise;
   const count = document.numPages;
   if (count < 1)
@@ -212,7 +225,7 @@ async function describe(task: PDFDocumentLoadingTask, input: PdfInput): Promise<
     document.getMetadata().catch(() => null),
     document.getViewerPreferences().catch(() => null),
     document.getPageLabels().catch(() => null),
-    openingPageOf(document, targets).catch(() => 1),
+    openingPageOf(document, targets, fragment).catch(() => 1),
     document.getPermissions().catch(() => null),
   ]);
   const info = (metadata?.info ?? {}) as Record<string, unknown>;

@@ -15,6 +15,7 @@ import {
   BookError,
   type BookWarning,
   type BookWarningCode,
+  type PageSize,
   type PageSource,
   type Typography,
 } from "../page_source.ts";
@@ -29,7 +30,7 @@ import type {
 import { FlowSource } from "../typeset/flow_source.ts";
 import { isRightToLeft } from "../typeset/writing_direction.ts";
 import { warningOf } from "../warnings.ts";
-import { loadChapter } from "./chapter.ts";
+import { loadChapter, sizeIn } from "./chapter.ts";
 import { folderOfEpub, packageOf } from "./container.ts";
 import { EpubFiles } from "./epub_files.ts";
 import { NamedFiles } from "./named_files.ts";
@@ -171,6 +172,7 @@ async function readEpub(archive: Archive, file: Blob, name: string): Promise<Flo
     throw new BookError(sentence, { code: "empty", source: name });
   }
   const rolls = rollsOf(ordered);
+  const usualSize = usualSizeOf(resources.opf);
   const sections = ordered.map((chapter, index): FlowSection => {
     const { href, missing, isFixed, side } = chapter;
     const load = async (): Promise<FlowContent> => {
@@ -178,7 +180,7 @@ async function readEpub(archive: Archive, file: Blob, name: string): Promise<Flo
         const code = names.has(href) ? "unsupported" : "damaged";
         throw new BookError(missing, { code, source: cleanText(href) || chapter.id });
       }
-      return await loadChapter(files, chapter, name);
+      return await loadChapter(files, chapter, name, usualSize);
     };
     const roll = rolls[index];
     const where = { ...(side ? { side } : {}), ...(roll === undefined ? {} : { roll }) };
@@ -355,6 +357,17 @@ function overlayClassesOf(opf: Document): Pick<FlowNarration, "activeClass" | "p
     return /^\s*(\S{1,100})\s*$/.exec(meta?.textContent ?? "")?.[1] ?? "";
   };
   return { activeClass: named("active-class"), playbackClass: named("playback-active-class") };
+}
+
+/** Returns the size that a package gives pages of fixed layout that name none; null if it gives none. */
+function usualSizeOf(opf: Document): PageSize | null {
+  for (const meta of opf.getElementsByTagNameNS("*", "meta")) {
+    const name = meta.getAttribute("property") ?? meta.getAttribute("name") ?? "";
+    if (!/^(rendition:viewport|original-resolution)$/i.test(name)) continue;
+    const size = sizeIn(meta.getAttribute("content") ?? meta.textContent ?? "");
+    if (size) return size;
+  }
+  return null;
 }
 
 /** Returns who made a book, in the package's order. */

@@ -83,6 +83,8 @@ export async function cleanMarkup(
   const root = inHtml(document);
   const sheets = await stylesOf(document, files);
   const styles = sheets.map(cssOf);
+  // Nothing on paper opens them.
+  for (const one of root.querySelectorAll("details")) one.setAttribute("open", "");
   for (const one of root.querySelectorAll("*|switch")) one.querySelector("*|case")?.remove();
   for (const medium of root.querySelectorAll("audio, video")) placeOf(medium, files);
   for (const object of root.querySelectorAll("object")) await pictureOf(object, files);

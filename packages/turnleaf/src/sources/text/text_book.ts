@@ -47,7 +47,7 @@ export async function openText(
   type: string,
   typography?: Typography,
 ): Promise<PageSource> {
-  const text = decode(await bytesOf(file, name)).replace(/\r\n?/g, "\n");
+  const text = withoutControls(decode(await bytesOf(file, name)).replace(/\r\n?/g, "\n"));
   // Both are text: a name may tell them apart where the media type does not.
   const isMarkdown = /markdown/.test(type) || /\.(md|markdown)$/i.test(name);
   const chapters = (isMarkdown ? markdownChapters(text) : null) ?? plainChapters(text);
@@ -214,6 +214,19 @@ function linesOf(words: string): string[] {
 
 function escapeText(text: string): string {
   return text.replaceAll("&", "&amp;").replaceAll("<", "&lt;");
+}
+
+/** Colours and the like of terminals, and a letter that is printed over another. */
+// biome-ignore lint/suspicious/noControlCharactersInRegex: they are what is removed
+const terminal = /\u001b\[[\d;?]*[ -/]*[@-~]|[^\n]\u0008/g;
+
+/** Control characters that mean nothing in text; a form feed begins another page. */
+// biome-ignore lint/suspicious/noControlCharactersInRegex: they are what is removed
+const controls = /[\u0000-\u0008\u000b\u000e-\u001f\u007f]/g;
+
+/** Returns text without what was meant for terminals, printers and systems. */
+function withoutControls(text: string): string {
+  return text.replace(terminal, "").replace(controls, "");
 }
 
 /** Returns text as UTF-8, as UTF-16 by its mark, or in the usual encoding of old files. */

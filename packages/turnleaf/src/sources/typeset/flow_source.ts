@@ -214,7 +214,7 @@ export class FlowSource implements PageSource {
     const { section, page } = this.#at(index);
     const found = await (await this.#lay(section, signal)).links(page);
     const links: PageLink[] = [];
-    let laid = 0;
+    const laid = new Set([section]);
     for (const { href, isNote, ...link } of found) {
       const address = cleanAddress(href);
       const asks = this.#book.asksToLeave ? { asks: true } : {};
@@ -223,8 +223,9 @@ export class FlowSource implements PageSource {
       if (target === null) continue;
       const isUnknown = isNote || this.#edition.mapOf(target.section) === undefined;
       let note = "";
-      if (isUnknown && target.id !== "" && laid < mostTargets) {
-        if (target.section !== section) laid += 1;
+      const mayLay = laid.has(target.section) || laid.size <= mostTargets;
+      if (isUnknown && target.id !== "" && mayLay) {
+        laid.add(target.section);
         const there = await this.#edition
           .lay(target.section, signal)
           .catch(() => signal.throwIfAborted());

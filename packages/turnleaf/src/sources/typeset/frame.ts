@@ -1,15 +1,17 @@
 /** Frames in which text is laid out, out of sight: no script runs in them and nothing is fetched. */
 
 import { trustedMarkup } from "../trusted_script.ts";
+import { styleAttribute } from "./flow_book.ts";
 
 /** Even if an address were left in the markup, it would not be fetched. */
 const policy = "default-src 'none'; img-src data:; font-src data:; style-src 'unsafe-inline'";
 
 /** A frame's document, whose root is an empty `<div>`. */
 export interface LayoutFrame {
-  readonly element: HTMLIFrameElement;
   readonly document: Document;
   readonly root: HTMLElement;
+  /** Removes it. */
+  close(): void;
 }
 
 /** Returns a new frame of a size in CSS pixels. */
@@ -40,7 +42,7 @@ export async function openFrame(width: number, height: number): Promise<LayoutFr
   // The book's own <html> is laid out as it is drawn: within another element.
   const root = frame.createElement("div");
   frame.documentElement.replaceWith(root);
-  return { element, document: frame, root };
+  return { document: frame, root, close: () => element.remove() };
 }
 
 /** Applies style sheets to a frame, whatever the page's policy says of inline styles. */
@@ -51,4 +53,23 @@ export function adoptStyles(frame: LayoutFrame, sheets: readonly string[]): void
     sheet.replaceSync(css);
     return sheet;
   });
+}
+
+/** Gives elements their own styles. */
+export function applyInlineStyles(html: HTMLElement): void {
+  for (const element of [html, ...html.querySelectorAll<HTMLElement>(`[${styleAttribute}]`)]) {
+    element.style.cssText = element.getAttribute(styleAttribute) ?? "";
+    element.removeAttribute(styleAttribute);
+  }
+}
+
+/** Waits until the pictures and fonts of a section are there, or have failed. */
+export async function loadedIn({ document }: LayoutFrame, html: HTMLElement): Promise<void> {
+  // Laid out once, it is known which fonts are used.
+  html.getBoundingClientRect();
+  // Not decoded: only those of a page that is drawn are.
+  const images = [...html.querySelectorAll("img")].map(
+    (image) => image.complete || new Promise((done) => (image.onload = image.onerror = done)),
+  );
+  await Promise.all([document.fonts.ready, ...images]);
 }

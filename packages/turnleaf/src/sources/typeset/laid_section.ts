@@ -9,9 +9,8 @@ import {
   mediumAttribute,
   mediumKindAttribute,
   sourceAttribute,
-  styleAttribute,
 } from "./flow_book.ts";
-import { adoptStyles, type LayoutFrame, openFrame } from "./frame.ts";
+import { adoptStyles, applyInlineStyles, type LayoutFrame, loadedIn, openFrame } from "./frame.ts";
 import { Markup } from "./markup.ts";
 import { blankIds, isNoteLink, noteText } from "./notes.ts";
 import { type PageFlow, pageOfRect, TextMap } from "./text_map.ts";
@@ -139,7 +138,7 @@ export class LaidSection {
       const made = (...parts: MadeParts): LaidSection => new LaidSection(...parts);
       return await layIn(frame, content, typography, isScrolled, made);
     } catch (error) {
-      frame.element.remove();
+      frame.close();
       throw error;
     }
   }
@@ -245,7 +244,7 @@ export class LaidSection {
   }
 
   close(): void {
-    this.#frame.element.remove();
+    this.#frame.close();
   }
 
   #onPage(rect: DOMRect, page: number): PageBox {
@@ -349,25 +348,6 @@ async function layIn<T>(
       layoutSize: size,
     },
   );
-}
-
-/** Gives elements their own styles. */
-function applyInlineStyles(html: HTMLElement): void {
-  for (const element of [html, ...html.querySelectorAll<HTMLElement>(`[${styleAttribute}]`)]) {
-    element.style.cssText = element.getAttribute(styleAttribute) ?? "";
-    element.removeAttribute(styleAttribute);
-  }
-}
-
-/** Waits until the pictures and fonts of a section are there, or have failed. */
-async function loadedIn({ document }: LayoutFrame, html: HTMLElement): Promise<void> {
-  // Laid out once, it is known which fonts are used.
-  html.getBoundingClientRect();
-  // Not decoded: only those of a page that is drawn are.
-  const images = [...html.querySelectorAll("img")].map(
-    (image) => image.complete || new Promise((done) => (image.onload = image.onerror = done)),
-  );
-  await Promise.all([document.fonts.ready, ...images]);
 }
 
 /** A rule of a font, as `cleanCss` writes it. */
