@@ -2,7 +2,7 @@
 
 import { cleanText } from "./book_text.ts";
 import { limits } from "./limits.ts";
-import type { BookWarning, BookWarningCode } from "./page_source.ts";
+import type { BookWarning, BookWarningCode, OutlineEntry } from "./page_source.ts";
 
 /** What is missing, and what comes of that. */
 const phrases: Readonly<Record<BookWarningCode, string>> = {
@@ -45,6 +45,14 @@ export function joinedWarnings(...lists: readonly (readonly BookWarning[])[]): B
     }
   }
   return [...found.values()];
+}
+
+/** Returns warnings of the last lines of contents that lead nowhere; a heading of others need not lead anywhere. */
+export function lostLines(outline: readonly OutlineEntry[], name: string): BookWarning[] {
+  return outline.flatMap(({ title, page, href, children }) => {
+    if (children.length > 0) return lostLines(children, name);
+    return page === null && href === undefined ? [warningOf("contents", `“${title}”`, name)] : [];
+  });
 }
 
 /** Warnings of a book, found one after the other. */
