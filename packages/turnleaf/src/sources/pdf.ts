@@ -6,6 +6,7 @@ import { fitPixels, isPageSize, limits, wholePage } from "./limits.ts";
 import {
   type BookDetail,
   BookError,
+  type BookWarning,
   type OutlineEntry,
   type PageBox,
   type PageField,
@@ -19,6 +20,7 @@ import { altOfPage } from "./pdf_alt.ts";
 import { linksOfPage, PdfForm } from "./pdf_annotations.ts";
 import { type PdfInput, place } from "./pdf_bytes.ts";
 import { lettersOfPage } from "./pdf_letters.ts";
+import { bareMarksOf, drawMarks, notesOfPage, playedOnPage } from "./pdf_marks.ts";
 import { rejectPortfolio } from "./pdf_portfolio.ts";
 import {
   blobWorker,
@@ -32,6 +34,7 @@ import { outlineOf, PdfTargets } from "./pdf_targets.ts";
 import { textOfPage } from "./pdf_text.ts";
 import { notStarted, PdfThread, WorkerNotStarted } from "./pdf_thread.ts";
 import { orAborted } from "./shared_tasks.ts";
+import { lostLines, WarningList, warningOf } from "./warnings.ts";
 
 /** Bits of a protected file's permissions, as ISO 32000 numbers them. */
 const permission = { print: 0x04, copy: 0x10 } as const;
@@ -230,6 +233,7 @@ async function describe(
   ]);
   const info = (metadata?.info ?? {}) as Record<string, unknown>;
   await rejectPortfolio(document, info, input.name);
+  rejectXfa(info, input.name);
   return {
     name: input.name,
     document,
@@ -246,6 +250,18 @@ async function describe(
     targets,
     form: new PdfForm(document),
   };
+}
+
+/**
+ * Throws a `BookError` for a form of XFA alone: its pages are made by Adobe's programs as they open it,
+ * and what is in the file in their place asks to wait.
+ */
+function rejectXfa(info: Readonly<Record<string, unknown>>, name: string): void {
+  if (info.IsXFAPresent !== true || info.IsAcroFormPresent === true) return;
+  throw new BookError(
+    `${name} is a form of XFA, whose pages only Adobe's programs make; print it to a PDF there, and open that.`,
+    { code: "unsupported", source: name },
+  );
 }
 
 const pointsInInch = 72;
@@ -266,6 +282,7 @@ class PdfSource implements PageSource {
   readonly #labels: readonly string[] | null;
   readonly #targets: PdfTargets;
   readonly #form: PdfForm;
+  readonly #warnings = new WarningList();
   readonly #stop: () => void;
   /** Pages in the order in which they were last drawn. */
   readonly #drawn = new Map<number, PDFPageProxy>();
@@ -286,6 +303,14 @@ class PdfSource implements PageSource {
     this.#targets = description.targets;
     this.#form = description.form;
     this.#stop = stop;
+  }
+
+  get warnings(): readonly BookWarning[] {
+    return this.#warnings.all;
+  }
+
+  watchWarnings(listener: () => void): void {
+    this.#warnings.watch(listener);
   }
 
   async size(index: number, signal?: AbortSignal): Promise<PageSize> {
@@ -343,8 +368,12 @@ class PdfSource implements PageSource {
     const cancel = (): void => task.cancel();
     signal.addEventListener("abort", cancel, { once: true });
     try {
-      await this.#thread.orFailed(task.promise);
+      const [marks] = await this.#thread.orFailed(Promise.all([bareMarksOf(page), task.promise]));
       signal.throwIfAborted();
+      if (marks.length > 0) {
+        const pen = canvas.getContext("2d") as OffscreenCanvasRenderingContext2D;
+        drawMarks(pen, page, marks, new DOMMatrix([scale, 0, 0, scale, offsetX, offsetY]));
+      }
       return canvas.transferToImageBitmap();
     } catch (error) {
       cancel();
@@ -367,7 +396,12 @@ class PdfSource implements PageSource {
   }
 
   async links(index: number, signal: AbortSignal): Promise<readonly PageLink[]> {
-    return await this.#read(index, signal, (page) => linksOfPage(page, this.#targets));
+    return await this.#read(index, signal, async (page) => {
+      const played = await playedOnPage(page);
+      const warnings = played.map((one) => warningOf("medium", one, this.#name));
+      this.#warnings.add(...warnings.map((warning) => ({ ...warning, page: index + 1 })));
+      return [...(await linksOfPage(page, this.#targets)), ...(await notesOfPage(page))];
+    });
   }
 
   async fields(index: number, signal: AbortSignal): Promise<readonly PageField[]> {
@@ -381,7 +415,9 @@ class PdfSource implements PageSource {
   async outline(signal: AbortSignal): Promise<readonly OutlineEntry[]> {
     const outline = this.#thread.orFailed(outlineOf(this.#document, this.#targets));
     try {
-      return await orAborted(outline, signal);
+      const lines = await orAborted(outline, signal);
+      this.#warnings.add(...lostLines(lines, this.#name));
+      return lines;
     } catch (error) {
       signal.throwIfAborted();
       throw sentenceFor(this.#thread.pdfjs, error, this.#name);
