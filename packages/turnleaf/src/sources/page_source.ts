@@ -44,6 +44,11 @@ export interface TextRun extends PageBox {
    * width, if the source knows.
    */
   readonly places?: readonly number[];
+  /**
+   * The formula that it is, as MathML, which is read aloud by screen readers in place of `text`: this
+   * is what is copied and searched, TeX or its signs on one line. The default is none.
+   */
+  readonly math?: string;
 }
 
 /**

@@ -24,6 +24,7 @@ import {
   mayLoad,
   readSheets,
 } from "./clean_css.ts";
+import { prepareFormula } from "./formulas.ts";
 import { framePicture, frameSize } from "./frame_picture.ts";
 import { withoutPrefixes } from "./prefixed_css.ts";
 import { isXmlAttribute } from "./xml.ts";
@@ -86,6 +87,7 @@ export async function cleanMarkup(
   // Nothing on paper opens them.
   for (const one of root.querySelectorAll("details")) one.setAttribute("open", "");
   for (const one of root.querySelectorAll("*|switch")) one.querySelector("*|case")?.remove();
+  for (const math of root.querySelectorAll("math")) prepareFormula(math);
   for (const medium of root.querySelectorAll("audio, video")) placeOf(medium, files);
   for (const object of root.querySelectorAll("object")) await pictureOf(object, files);
   for (const frame of [...root.querySelectorAll("iframe")].slice(0, mostFrames)) {
