@@ -76,7 +76,7 @@ export class TurnleafBook extends ReaderElement {
       this.#forget();
     },
     options: (source) => this.#options(source),
-    turn: (by) => void this.press(by),
+    turn: (by, isTap) => void this.press(by, isTap),
     announceZoom: () => this.announceZoom(),
     calm: () => this.#calm,
     goTo: (page, top) => void this.turnTo(page, { top }),
@@ -275,7 +275,7 @@ export class TurnleafBook extends ReaderElement {
    * to false at the end of the book, and while no book is open.
    */
   next(): Promise<boolean> {
-    return this.#turn(1, false);
+    return this.#turn(1, "command");
   }
 
   /**
@@ -283,17 +283,19 @@ export class TurnleafBook extends ReaderElement {
    * lies there or farther back.
    */
   previous(): Promise<boolean> {
-    return this.#turn(-1, false);
+    return this.#turn(-1, "command");
   }
 
   /**
    * Turns one leaf forward (1) or back (-1) for the reader, as by a key of the
    * controls.
    *
+   * @param isTap whether the reader presses something once: what a held key repeats ends soon
+   *
    * @internal
    */
-  press(by: 1 | -1): Promise<boolean> {
-    return this.#turn(by, true);
+  press(by: 1 | -1, isTap = false): Promise<boolean> {
+    return this.#turn(by, isTap ? "tap" : "press");
   }
 
   /**
@@ -675,13 +677,14 @@ export class TurnleafBook extends ReaderElement {
     return this.#calm ? "fade" : "turn";
   }
 
-  /** @param isReaders whether the reader asks for it, by pointer or key, and not a page's script */
-  #turn(by: 1 | -1, isReaders: boolean): Promise<boolean> {
+  /** @param how whether a page's script asks for it, or the reader: by one press, or by what may be held */
+  #turn(by: 1 | -1, how: "command" | "tap" | "press"): Promise<boolean> {
     const viewer = this.#viewer;
     if (viewer === undefined) return Promise.resolve(false);
     const { commands } = viewer;
     const way = (by * forward(viewer.binding)) as 1 | -1;
-    if (this.#motion === "turn") return isReaders ? commands.press(way) : commands.turn(way);
+    if (this.#motion === "turn")
+      return how === "command" ? commands.turn(way) : commands.press(way, how === "tap");
     // A corner that only lifts is not a turn to go on from.
     commands.peek(null);
     const spread = viewer.turning.turned(way);

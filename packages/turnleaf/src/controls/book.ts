@@ -56,9 +56,10 @@ export interface ControlledBook<Hit extends FoundPlace = FoundPlace> extends HTM
   pageFaces(): (page: number) => number;
   /**
    * Turns one leaf forward (1) or back (-1) for the reader: what a held key
-   * repeats ends soon after its release.
+   * repeats ends soon after its release. `isTap` says that something was pressed once: it counts in
+   * any case.
    */
-  press(by: 1 | -1): Promise<boolean>;
+  press(by: 1 | -1, isTap?: boolean): Promise<boolean>;
   /** Turns to a page of the open book for its reader, and to a place so far down it. */
   turnTo(page: number, options?: { readonly top?: number }): Promise<boolean>;
   zoomTo(level: number): void;

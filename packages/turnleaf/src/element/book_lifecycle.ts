@@ -41,8 +41,11 @@ export interface LifecycleHooks {
   readonly plane: ElementPlane;
   /** How a book is shown. */
   options(source: PageList): ViewerOptions;
-  /** Turns one leaf forward (1) or back (-1), with motion or without, as the reader prefers. */
-  readonly turn: (by: 1 | -1) => void;
+  /**
+   * Turns one leaf forward (1) or back (-1), with motion or without, as the reader prefers; `isTap` says
+   * that a key or button was pressed once, and is not held.
+   */
+  readonly turn: (by: 1 | -1, isTap?: boolean) => void;
   /** Announces to screen readers the zoom level to which a key leads. */
   readonly announceZoom: () => void;
   /** Turns the open book to a page (from 1), and to a place so far down it, as `top` of `LinkTarget`. */

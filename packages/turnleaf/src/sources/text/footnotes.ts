@@ -1,6 +1,6 @@
 /** Footnotes of Markdown, as GitHub writes them: `[^1]` in the text, and `[^1]: …` anywhere in the file. */
 
-import type { Lexer, Token, Tokens, TokenizerThis } from "marked";
+import type { Lexer, Token, TokenizerThis, Tokens } from "marked";
 
 /** A note as it is defined. */
 interface Definition extends Tokens.Generic {
@@ -11,7 +11,7 @@ interface Definition extends Tokens.Generic {
 
 /** A definition, with the lines that are indented under it, or go on with its paragraph. */
 const definition =
-  /^ {0,3}\[\^([^\]\s]{1,100})\]:[ \t]*([^\n]*(?:\n(?!\s*\n| {0,3}\[\^[^\]\s]{1,100}\]:)[^\n]+|\n(?:[ \t]*\n)+(?: {2,}|\t)[^\n]+)*)(?:\n+|$)/;
+  /^ {0,3}\[\^([^\]\s]{1,100})\]:[ \t]*([^\n]*(?:\n(?![ \t]*\n| {0,3}\[\^[^\]\s]{1,100}\]:)[^\n]+|\n(?:[ \t]*\n)+(?: {2,}|\t)[^\n]+)*)(?:\n+|$)/;
 
 const reference = /^\[\^([^\]\s]{1,100})\](?!:)/;
 
@@ -27,7 +27,10 @@ export const footnoteSyntax = {
       return { type: "footnote", raw, label, tokens };
     },
   ],
-  startBlock: [(text: string) => indexOf(text, /\n {0,3}\[\^[^\]\s]{1,100}\]:/)],
+  // A paragraph ends at a definition; beyond its own end nothing is looked for.
+  startBlock: [
+    (text: string) => indexOf(text.split("\n\n", 1)[0] ?? "", /\n {0,3}\[\^[^\]\s]{1,100}\]:/),
+  ],
   inline: [
     function (this: TokenizerThis, text: string): Tokens.Generic | undefined {
       const [raw, label = ""] = reference.exec(text) ?? [];
@@ -39,7 +42,7 @@ export const footnoteSyntax = {
   startInline: [(text: string) => indexOf(text, /\[\^/)],
 };
 
-/** Where the text before a match ends; undefined without one. */
+/** Returns where the text before a match ends; undefined without one. */
 function indexOf(text: string, mark: RegExp): number | undefined {
   const index = text.search(mark);
   return index < 0 ? undefined : index;

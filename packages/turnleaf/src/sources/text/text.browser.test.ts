@@ -173,9 +173,9 @@ And there[^b].
     pages.push(runs.map((run) => run.text + (run.end ? "\n" : "")).join(""));
   }
   expect(pages[0]).toMatch(
-    /^One\n *See here1 and \[\^gone\] and \[\^a\]\. *\n? *Again1, and more2\.[^]*Here\. ↩[^]*First\. Still first\.[^]*Second paragraph3\. ↩[^]*Within\. ↩/,
+    /^One\n *See here1 and \[\^gone\] and \[\^a\]\. *\n? *Again1, and more2\.[\s\S]*Here\. ↩[\s\S]*First\. Still first\.[\s\S]*Second paragraph3\. ↩[\s\S]*Within\. ↩/,
   );
-  expect(pages[1]).toMatch(/^Two\n *And there4\.[^]*There\. ↩[^]*Nothing leads here\./);
+  expect(pages[1]).toMatch(/^Two\n *And there4\.[\s\S]*There\. ↩[\s\S]*Nothing leads here\./);
   const links = (await source.links?.(0, never)) ?? [];
   expect(links.slice(0, 3).map(({ note }) => note)).toEqual([
     "Here.",
