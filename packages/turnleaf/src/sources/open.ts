@@ -5,6 +5,7 @@ import { handedOut } from "./handed_out.ts";
 import { type Bytes, blobOf, elementsOf, filesOf, wrongKind } from "./input_values.ts";
 import { loadPart } from "./load_part.ts";
 import { type Manifest, type ManifestPage, parseManifest } from "./manifest.ts";
+import { pageOfHash } from "./page_hash.ts";
 import { PageList } from "./page_list.ts";
 import { BookError, type PageSource, type Typography } from "./page_source.ts";
 import type { PdfOptions } from "./pdf.ts";
@@ -96,8 +97,8 @@ async function openAddress(address: string, options: OpenOptions): Promise<PageS
   const file = await fileAt(url, options.name ?? nameOfUrl(url), options.signal);
   const fragment = new URL(url).hash.slice(1);
   const source = await openFile(file, { ...options, base: url, fragment });
-  const page = Number(new URLSearchParams(fragment).get("page"));
-  if (!(Number.isInteger(page) && page >= 1)) return source;
+  const page = pageOfHash(fragment);
+  if (page === null) return source;
   // The address says it of any format, and says more than the file.
   return Object.defineProperty(source, "openingPage", { value: Math.min(page, source.pageCount) });
 }

@@ -10,7 +10,7 @@ import {
   mediumKindAttribute,
   sourceAttribute,
 } from "./flow_book.ts";
-import { adoptStyles, applyInlineStyles, type LayoutFrame, loadedIn, openFrame } from "./frame.ts";
+import { applyInlineStyles, fontRule, type LayoutFrame, loadedIn, openFrame } from "./frame.ts";
 import { Markup } from "./markup.ts";
 import { blankIds, isNoteLink, noteText } from "./notes.ts";
 import { type PageFlow, pageOfRect, TextMap } from "./text_map.ts";
@@ -289,7 +289,7 @@ async function layIn<T>(
   const reader = readerStyle(typography);
   const own = [baseStyle, ...content.styles];
   let flow: PageFlow = { stepX: 0, stepY: 0, isVertical: false };
-  adoptStyles(frame, [...own, reader]);
+  frame.adopt([...own, reader]);
   const { writingMode, direction } = writingOf(body, view);
   const isVertical = !writingMode.startsWith("horizontal");
   // Lines that stand upright are scrolled page by page.
@@ -307,7 +307,7 @@ async function layIn<T>(
   const rem = view.getComputedStyle(html).fontSize;
   html.style.setProperty("font-size", rem, "important");
   frame.root.style.fontSize = rem;
-  adoptStyles(frame, own);
+  frame.adopt(own);
   await loadedIn(frame, html);
   if (!content.size) {
     const area = { width: page.width - 2 * page.sides, height: page.height - 2 * page.ends };
@@ -335,7 +335,7 @@ async function layIn<T>(
     },
   };
   const text = new TextMap(body, flow, pageCount);
-  const styles = withUsedFonts([spokenStyle, ...own], frame.document);
+  const styles = withUsedFonts([spokenStyle, ...own], frame);
   const markup = (): Markup => new Markup(html, { styles, size, rem, paper, flow });
   return done(
     frame,
@@ -350,13 +350,10 @@ async function layIn<T>(
   );
 }
 
-/** A rule of a font, as `cleanCss` writes it. */
-const fontRule = /@font-face \{ [^{}]*\}/g;
-
 /** Returns style sheets without the fonts that nothing in a frame is set in. */
-function withUsedFonts(sheets: readonly string[], { fonts }: Document): readonly string[] {
+function withUsedFonts(sheets: readonly string[], frame: LayoutFrame): readonly string[] {
   // The faces of rules are in the order of these.
-  const faces = [...fonts];
+  const faces = frame.fonts();
   const rules = sheets.flatMap((css) => css.match(fontRule) ?? []);
   if (rules.length !== faces.length) return sheets;
   let next = 0;
@@ -420,7 +417,7 @@ function mapOf(
 
 /** Returns what a section names and cannot be shown: what is marked so, damaged pictures, and fonts. */
 function lostIn(
-  { document }: LayoutFrame,
+  frame: LayoutFrame,
   html: HTMLElement,
   flow: PageFlow,
   pageCount: number,
@@ -433,7 +430,7 @@ function lostIn(
     const code = isDamaged ? "image" : (element.getAttribute(lostAttribute) as LostPart["code"]);
     if (code !== null) lost.push({ code, source, page: pageOf(element, flow, pageCount) });
   }
-  const failed = [...document.fonts].filter(({ status }) => status === "error");
+  const failed = frame.fonts().filter(({ status }) => status === "error");
   const families = new Set(failed.map(({ family }) => family.replace(/^["']|["']$/g, "")));
   const fonts = [...families].slice(0, limits.warnings);
   return [...lost, ...fonts.map((source): LostPart => ({ code: "font", source }))];

@@ -3,7 +3,7 @@
 import { isPageSize } from "../limits.ts";
 import type { PageSize } from "../page_source.ts";
 import type { FlowContent } from "./flow_book.ts";
-import { adoptStyles, applyInlineStyles, loadedIn, openFrame } from "./frame.ts";
+import { applyInlineStyles, loadedIn, openFrame } from "./frame.ts";
 import { baseStyle } from "./typography.ts";
 
 /** What has a size of its own. */
@@ -28,7 +28,7 @@ export async function naturalSize(content: FlowContent, usual: PageSize): Promis
     applyInlineStyles(html);
     sheet.append(html);
     frame.root.append(sheet);
-    adoptStyles(frame, [baseStyle, ...content.styles]);
+    frame.adopt([baseStyle, ...content.styles]);
     await loadedIn(frame, html);
     const view = document.defaultView as Window;
     const body = html.querySelector("body") ?? html;
