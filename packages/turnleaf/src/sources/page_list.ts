@@ -87,7 +87,10 @@ export class PageList implements PageSource {
       const about = source === undefined ? {} : { source };
       return index === null ? [] : [{ code: "page", message, page: index + 1, error, ...about }];
     });
-    return joinedWarnings(listed, failed);
+    // A page that was drawn says more of why it is none.
+    const pages = new Set(failed.map(({ page }) => page));
+    const others = listed.filter(({ code, page }) => code !== "page" || !pages.has(page));
+    return joinedWarnings(others, failed);
   }
 
   watchWarnings(listener: () => void): void {
