@@ -16,7 +16,7 @@ test("an EPUB's missing and damaged parts of every kind, with their files and pa
   const source = await laidOut(
     tinyEpub({
       chapters: [
-        '<p style="font-family: Lost">x</p><p style="page-break-before: always"><img src="gone.png" alt="a"/></p><p><img src="bad.png"/></p>',
+        '<p style="font-family: Lost; background: url(inline.png)">x</p><p style="page-break-before: always"><img src="gone.png" alt="a"/></p><p><img src="bad.png"/></p>',
         '<link rel="stylesheet" href="none.css"/><audio controls="" src="a/none.mp3"></audio><iframe src="https://example.org/"></iframe><object data="game.bin"></object><p><svg xmlns="http://www.w3.org/2000/svg"><image href="../deep.png"/></svg></p>',
         '<p>See <a epub:type="noteref" href="#n1">1</a>, <a epub:type="noteref" href="#n2">2</a>, <a epub:type="noteref" href="#n3">3</a>.</p><aside epub:type="footnote" id="n1"><p>Here.</p></aside><aside epub:type="footnote" id="n2"><p> <a role="doc-backlink" href="#x"/></p></aside>',
       ],
@@ -38,6 +38,7 @@ test("an EPUB's missing and damaged parts of every kind, with their files and pa
     ["image", "OEBPS/back.png", 1],
     ["image", "OEBPS/bad.png", 2],
     ["image", "OEBPS/gone.png", 2],
+    ["image", "OEBPS/inline.png", 1],
     ["image", "OEBPS/spare.jpg", undefined],
     ["image", "deep.png", 3],
     ["medium", "OEBPS/a/none.mp3", 3],

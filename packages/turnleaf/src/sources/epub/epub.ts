@@ -291,7 +291,7 @@ function missingFile({ mediaType }: ManifestItem, path: string, name: string): B
 /** The codes of warnings by the media types of files. Chapters say themselves that they are missing. */
 const warningCodes: readonly (readonly [type: RegExp, code: BookWarningCode])[] = [
   [/^image\//i, "image"],
-  [/^(audio|video)\//i, "medium"],
+  [/^(audio|video)\/|^application\/smil/i, "medium"],
   [/^text\/css$/i, "style"],
   [/^font\/|font|opentype/i, "font"],
 ];

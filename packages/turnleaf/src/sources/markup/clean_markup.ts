@@ -22,6 +22,7 @@ import {
   cssOf,
   inMedia,
   mayLoad,
+  type ResolveCss,
   readSheets,
 } from "./clean_css.ts";
 import { prepareFormula } from "./formulas.ts";
@@ -84,10 +85,17 @@ export async function cleanMarkup(
   const root = inHtml(document);
   const sheets = await stylesOf(document, files);
   const styles = sheets.map(cssOf);
+  const lost = sheets.flatMap((sheet) => sheet.lost ?? []);
+  const picture = async (address: string): Promise<string | null> => {
+    const data = await files.data(address);
+    const source = files.nameOf?.(address) ?? address;
+    if (data === null && lost.length < limits.warnings) lost.push({ code: "image", source });
+    return data;
+  };
   // Nothing on paper opens them.
   for (const one of root.querySelectorAll("details")) one.setAttribute("open", "");
   for (const one of root.querySelectorAll("*|switch")) one.querySelector("*|case")?.remove();
-  for (const math of root.querySelectorAll("math")) prepareFormula(math);
+  for (const math of root.querySelectorAll("math:not(math math)")) prepareFormula(math);
   for (const medium of root.querySelectorAll("audio, video")) placeOf(medium, files);
   for (const object of root.querySelectorAll("object")) await pictureOf(object, files);
   for (const frame of [...root.querySelectorAll("iframe")].slice(0, mostFrames)) {
@@ -105,12 +113,12 @@ export async function cleanMarkup(
     const language = element.getAttribute("xml:lang");
     if (language !== null && !element.hasAttribute("lang")) element.setAttribute("lang", language);
     element.removeAttribute("style");
-    if (element.hasAttribute(styleAttribute)) await cleanStyle(element, files);
+    if (element.hasAttribute(styleAttribute)) await cleanStyle(element, picture);
     for (const attribute of [...element.attributes]) {
       if (!isXmlAttribute(attribute)) element.removeAttributeNode(attribute);
     }
     for (const attribute of [...element.attributes].filter(mayLoad)) {
-      const clean = await cleanAttribute(attribute, (to) => files.data(to));
+      const clean = await cleanAttribute(attribute, picture);
       if (clean === null) element.removeAttributeNode(attribute);
       else attribute.value = clean;
     }
@@ -128,7 +136,7 @@ export async function cleanMarkup(
     ...(trustPolicy() ? { TRUSTED_TYPES_POLICY: trustPolicy() as never } : {}),
   });
   await checkBudget(root, styles, name);
-  return { root, styles, lost: sheets.flatMap(({ lost = [] }) => lost) };
+  return { root, styles, lost };
 }
 
 /** Returns the root as an `<html>` with a `<body>`, its elements without prefixes. */
@@ -286,13 +294,13 @@ async function inlinePictures(root: Element, files: MarkupFiles): Promise<void> 
 }
 
 /** Cleans a style attribute: the browser parses it in a style sheet of its own. */
-async function cleanStyle(element: Element, files: MarkupFiles): Promise<void> {
+async function cleanStyle(element: Element, picture: ResolveCss): Promise<void> {
   const sheet = new CSSStyleSheet();
   const own = withoutPrefixes(element.getAttribute(styleAttribute) ?? "");
   sheet.replaceSync(`x { ${own.replace(/[{}]/g, "")} }`);
   const [rule] = sheet.cssRules;
   const style = rule instanceof CSSStyleRule ? rule.style : null;
-  const clean = style ? await cleanDeclarations(style, (to) => files.data(to)) : "";
+  const clean = style ? await cleanDeclarations(style, picture) : "";
   if (clean === "") element.removeAttribute(styleAttribute);
   else element.setAttribute(styleAttribute, clean);
 }
