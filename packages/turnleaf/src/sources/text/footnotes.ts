@@ -1,6 +1,6 @@
 /** Footnotes of Markdown, as GitHub writes them: `[^1]` in the text, and `[^1]: …` anywhere in the file. */
 
-import type { Lexer, Token, TokenizerThis, Tokens } from "marked";
+import type { Lexer, MarkedOptions, Token, TokenizerThis, Tokens } from "marked";
 
 /** A note as it is defined. */
 interface Definition extends Tokens.Generic {
@@ -16,7 +16,10 @@ const definition =
 const reference = /^\[\^([^\]\s]{1,100})\](?!:)/;
 
 /** How `marked` reads footnotes: the definitions as blocks, what leads to them in their lines. */
-export const footnoteSyntax = {
+export const footnoteSyntax: Pick<
+  NonNullable<MarkedOptions["extensions"]>,
+  "block" | "startBlock" | "inline" | "startInline"
+> = {
   block: [
     function (this: TokenizerThis, text: string): Definition | undefined {
       const [raw, label, lines] = definition.exec(text) ?? [];
