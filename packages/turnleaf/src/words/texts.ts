@@ -1,7 +1,5 @@
 /** The texts of the element and its controls, in one language. */
 
-import type { BookWarningCode } from "../sources/page_source.ts";
-
 /**
  * A text that depends on a number: one wording for each of the language's plural
  * forms that differ, `other` for the rest. `{n}` stands for the number.
@@ -171,7 +169,28 @@ export interface ErrorTexts {
  * What the element says of a `BookWarning` in other languages than English, by its `code`; the
  * warning's own `message` is English. `{source}` is the file, address, name or title.
  */
-export type WarningTexts = Readonly<Record<BookWarningCode, string>>;
+export interface WarningTexts {
+  /** A mark on a page, or a list of such, is not there. */
+  readonly annotation: string;
+  /** A chapter. */
+  readonly chapter: string;
+  /** A line of the contents leads nowhere in the book. */
+  readonly contents: string;
+  /** What is embedded in a page from elsewhere. */
+  readonly embedded: string;
+  /** A font: its text is set in another. */
+  readonly font: string;
+  /** An image. */
+  readonly image: string;
+  /** A sound or a film. */
+  readonly medium: string;
+  /** A note is not there, or has no text. */
+  readonly note: string;
+  /** A file that is no page. */
+  readonly page: string;
+  /** A style sheet. */
+  readonly style: string;
+}
 
 /** Every text, so that a language is added whole. */
 export type Texts = ElementTexts &
