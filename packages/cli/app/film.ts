@@ -97,6 +97,11 @@ class Film {
     return { pages: book.pageCount, turns: places.length - 1 };
   }
 
+  /** Returns what the book lists and cannot be shown, a sentence each. */
+  warnings(): string[] {
+    return this.#book.warnings.map(({ message }) => message);
+  }
+
   /** Waits until the book is at rest and its pages and those beside them are drawn. */
   async rest(): Promise<void> {
     clock.free = true;

@@ -56,9 +56,11 @@ test("a broken book is reported and the others are published", { timeout: patien
     "locked.pdf": protectedPdf,
     "mixed/1.png": png(30, 40),
     "mixed/2.png": Buffer.from("\x89PNG\r\n\x1a\nno picture", "latin1"),
+    "lacking.fb2":
+      '<FictionBook xmlns="http://www.gribuser.ru/xml/fictionbook/2.0" xmlns:l="http://www.w3.org/1999/xlink"><body><section><p>x</p><image l:href="#gone"/></section></body></FictionBook>',
   });
   const site = join(path, "site");
-  const books = ["broken.pdf", "good.pdf", "locked.pdf", "mixed", "missing.pdf"];
+  const books = ["broken.pdf", "good.pdf", "locked.pdf", "mixed", "missing.pdf", "lacking.fb2"];
   const { status, stderr } = await publish([
     ...books.map((name) => join(path, name)),
     "--out",
@@ -76,7 +78,11 @@ test("a broken book is reported and the others are published", { timeout: patien
   expect(stderr).toContain("broken.pdf is damaged or no PDF; repair the file or get it again.");
   expect(stderr).toContain("locked.pdf is protected by a password");
   expect(stderr).toContain("4 failures; the rest was published.");
-  expect(readdirSync(join(site, "books")).sort()).toEqual(["good", "mixed"]);
+  // What is no failure of a page is said all the same.
+  expect(stderr).toContain(
+    "lacking.fb2, page 1: #gone, an image of lacking.fb2, is missing or cannot be shown.",
+  );
+  expect(readdirSync(join(site, "books")).sort()).toEqual(["good", "lacking", "mixed"]);
   expect(readFileSync(join(site, "books/mixed/text/1.html"), "utf8")).toContain(
     "This page could not be drawn",
   );

@@ -48,6 +48,8 @@ export async function serveViewer(
       response.writeHead(body === null ? 404 : 200, {
         "Content-Type": isText ? `text/${type}` : "application/octet-stream",
         ...(policy !== undefined && isHtml && { "Content-Security-Policy": policy }),
+        // A page without an origin reads nothing else, not even its own scripts.
+        ...(policy?.includes("sandbox") && { "Access-Control-Allow-Origin": "*" }),
       });
       response.end(body);
     } catch {

@@ -36,8 +36,8 @@ function control(element: TurnleafBook): void {
   });
 }
 
-const pressKey = (element: TurnleafBook, key: string) =>
-  element.dispatchEvent(new KeyboardEvent("keydown", { key }));
+const pressKey = (element: TurnleafBook, key: string, repeat = false) =>
+  element.dispatchEvent(new KeyboardEvent("keydown", { key, repeat }));
 
 test("a page number kept in step with the book stops no jump, and changes once a jump", async () => {
   const element = await opened(40, { duration: "100" });
@@ -107,7 +107,7 @@ test("every call of next and previous counts", async () => {
   await settled(element);
 });
 
-test("what a held key repeats waits three leaves at most, with the controls' keys and buttons too", async () => {
+test("what a held key repeats waits three leaves at most; each press of its own counts, also within one frame", async () => {
   const element = await opened(200, {
     cover: "none",
     duration: "60",
@@ -121,17 +121,23 @@ test("what a held key repeats waits three leaves at most, with the controls' key
     );
   await eventually(button).toBeDefined();
   let page = 2;
-  for (const press of [
-    () => pressKey(element, "ArrowRight"),
-    () => pressKey(element, " "),
-    () => button()?.click(),
-  ]) {
+  for (const [press, leaves] of [
+    [() => pressKey(element, "ArrowRight", true), 3],
+    [() => pressKey(element, " ", true), 3],
+    [() => pressKey(element, "ArrowRight"), 10],
+    [() => pressKey(element, " "), 10],
+    [() => button()?.click(), 10],
+  ] as const) {
     await settled(element);
-    for (let k = 0; k < 30; k++) press();
+    for (let k = 0; k < 10; k++) press();
     await settled(element);
-    page += 6;
+    page += 2 * leaves;
     expect(element.page).toBe(page);
   }
+  for (let k = 0; k < 4; k++) pressKey(element, "ArrowRight");
+  for (let k = 0; k < 6; k++) pressKey(element, "ArrowLeft");
+  await settled(element);
+  expect(element.page).toBe(page - 4);
 });
 
 test("what is no page number moves nothing, and goTo says so", async () => {

@@ -77,7 +77,7 @@ export class TurnleafBook extends ReaderElement {
       this.#forget();
     },
     options: (source) => this.#options(source),
-    turn: (by) => void this.press(by),
+    turn: (by, isTap) => void this.press(by, isTap),
     announceZoom: () => this.announceZoom(),
     calm: () => this.#calm,
     goTo: (page, top) => void this.turnTo(page, { top }),
@@ -90,6 +90,7 @@ export class TurnleafBook extends ReaderElement {
     changing: (change) => void this.#followSource(change),
     measured: () => this.#laidOut(),
     renumbered: (moved, pageCount) => this.moveLists(moved.placeOf ?? moved, pageCount),
+    warned: () => this.reportWarnings(),
     missingPart: (error) => this.#reportMissingPart(error),
     failed: (error) => this.#fail(error),
   });
@@ -123,6 +124,8 @@ export class TurnleafBook extends ReaderElement {
   #reported: number | null = null;
   /** What is said while no book is open: why not. */
   #status: "missing" | "opening" | null = null;
+  /** Whether the last book could not be opened, and no other is being read. */
+  #hasFailed = false;
   /** The state of the last `statechange`. */
   #state: BookState = "resting";
   /** Whether the element is in a document. */
@@ -272,7 +275,7 @@ export class TurnleafBook extends ReaderElement {
    * to false at the end of the book, and while no book is open.
    */
   next(): Promise<boolean> {
-    return this.#turn(1, false);
+    return this.#turn(1, "command");
   }
 
   /**
@@ -280,24 +283,27 @@ export class TurnleafBook extends ReaderElement {
    * lies there or farther back.
    */
   previous(): Promise<boolean> {
-    return this.#turn(-1, false);
+    return this.#turn(-1, "command");
   }
 
   /**
    * Turns one leaf forward (1) or back (-1) for the reader, as by a key of the
    * controls.
    *
+   * @param isTap whether the reader presses something once: what a held key repeats ends soon
+   *
    * @internal
    */
-  press(by: 1 | -1): Promise<boolean> {
-    return this.#turn(by, true);
+  press(by: 1 | -1, isTap = false): Promise<boolean> {
+    return this.#turn(by, isTap ? "tap" : "press");
   }
 
   /**
    * Turns to a page (from 1, clamped to the book), or changes to it at once.
    * Resolves, once the book is at rest, to whether it lies there. While a book
    * is opening, that book opens there: resolves once it has, to false if it
-   * cannot be opened, or is given up without another in its place. Rejects with
+   * cannot be opened, or is given up without another in its place. After a book that could not be opened
+   * it resolves to false. Rejects with
    * a `TypeError` if the page is not a number.
    *
    * @param options whether the book turns there with motion
@@ -308,7 +314,12 @@ export class TurnleafBook extends ReaderElement {
       return Promise.reject(new TypeError(`goTo takes the number of a page; ${page} is none.`));
     }
     this.#reported = null;
-    if (this.#viewer === undefined || this.#life.isReading) return this.#asked.ask(asked);
+    if (this.#viewer === undefined || this.#life.isReading) {
+      const lies = this.#asked.ask(asked);
+      // The next book opens there, but nothing is awaited where none is to come.
+      if (this.#hasFailed) this.#asked.failed();
+      return lies;
+    }
     return this.turnTo(asked, options);
   }
 
@@ -666,13 +677,14 @@ export class TurnleafBook extends ReaderElement {
     return this.#calm ? "fade" : "turn";
   }
 
-  /** @param isReaders whether the reader asks for it, by pointer or key, and not a page's script */
-  #turn(by: 1 | -1, isReaders: boolean): Promise<boolean> {
+  /** @param how whether a page's script asks for it, or the reader: by one press, or by what may be held */
+  #turn(by: 1 | -1, how: "command" | "tap" | "press"): Promise<boolean> {
     const viewer = this.#viewer;
     if (viewer === undefined) return Promise.resolve(false);
     const { commands } = viewer;
     const way = (by * forward(viewer.binding)) as 1 | -1;
-    if (this.#motion === "turn") return isReaders ? commands.press(way) : commands.turn(way);
+    if (this.#motion === "turn")
+      return how === "command" ? commands.turn(way) : commands.press(way, how === "tap");
     // A corner that only lifts is not a turn to go on from.
     commands.peek(null);
     const spread = viewer.turning.turned(way);
@@ -729,6 +741,7 @@ export class TurnleafBook extends ReaderElement {
     if (!this.#connected) return;
     const input = this.#input ?? (this.src || this.#childPages());
     this.#status = input === "" ? "missing" : "opening";
+    this.#hasFailed = false;
     this.#sayStatus();
     if (input === "") this.#life.close();
     else this.#life.open(input, this.src);
@@ -948,6 +961,7 @@ export class TurnleafBook extends ReaderElement {
   #fail(error: unknown): void {
     const detail = failureDetail(error, languageOf(this));
     this.#status = null;
+    this.#hasFailed = true;
     this.#tree.say(detail.message, "alert", this.#life.book !== null);
     this.#asked.failed();
     this.#updateState();

@@ -3,12 +3,13 @@ import { afterEach, describe, expect, vi } from "vitest";
 import { pagesNamed } from "./book/layout.ts";
 import { turnSecondsOf } from "./element/attributes.ts";
 import { pageNumber } from "./element/page_numbers.ts";
-import { loadPlace, pageOfHash, savePlace } from "./element/place_keeper.ts";
+import { loadPlace, savePlace } from "./element/place_keeper.ts";
 import { clue, fuzzed, wildPieces } from "./for_tests/random_numbers.ts";
 import { photographRow } from "./leaf_models/photograph_row.ts";
 import { sizeFromHeader, typedImage } from "./sources/image_header.ts";
 import { limits } from "./sources/limits.ts";
 import { parseManifest } from "./sources/manifest.ts";
+import { pageOfHash } from "./sources/page_hash.ts";
 import { BookError } from "./sources/page_source.ts";
 
 afterEach(() => vi.unstubAllGlobals());

@@ -12,7 +12,12 @@ export type { PageFold, PagePlace } from "./book/page_folds.ts";
 export type { Paper } from "./book/paper.ts";
 export type { CoverKind, Edge, Layout } from "./book/spreads.ts";
 export type { BookState } from "./book/turning.ts";
-export type { FailureDetail, TurnDetail, TurnleafEventMap } from "./element/events.ts";
+export type {
+  FailureDetail,
+  TurnDetail,
+  TurnleafEventMap,
+  WarningDetail,
+} from "./element/events.ts";
 export type { RecordOptions } from "./element/film_recorder.ts";
 export type { PrintOptions } from "./element/printing.ts";
 export type { Theme } from "./element/reflecting_element.ts";
@@ -29,6 +34,8 @@ export {
   BookError,
   type BookErrorCode,
   type BookErrorDetail,
+  type BookWarning,
+  type BookWarningCode,
   type LinkTarget,
   type NarratedClip,
   type Narration,
@@ -46,7 +53,14 @@ export {
 } from "./sources/page_source.ts";
 export type { SearchHit } from "./text/searching.ts";
 export { addLanguage } from "./words/languages.ts";
-export type { ControlTexts, ElementTexts, ErrorTexts, Plural, Texts } from "./words/texts.ts";
+export type {
+  ControlTexts,
+  ElementTexts,
+  ErrorTexts,
+  Plural,
+  Texts,
+  WarningTexts,
+} from "./words/texts.ts";
 
 if (globalThis.customElements && !customElements.get("turnleaf-book")) {
   customElements.define("turnleaf-book", TurnleafBook);

@@ -7,7 +7,7 @@ import {
   type PageSource,
   type TextRun,
 } from "turnleaf";
-import type { DrawnPage, DrawOptions, OpenedBook } from "../../src/publish/drawn_page.ts";
+import type { BookLack, DrawnPage, DrawOptions, OpenedBook } from "../../src/publish/drawn_page.ts";
 import { halved, halvings, type SiteLink, type SiteRun } from "../../src/publish/site_book.ts";
 
 /** The command's configuration. */
@@ -42,6 +42,13 @@ class Drawing {
     } catch (error) {
       return { failed: sentenceOf(error) };
     }
+  }
+
+  /** Returns what the book lists and cannot be shown, besides pages: these say so themselves. */
+  warnings(): BookLack[] {
+    return (this.#source?.warnings ?? [])
+      .filter(({ code }) => code !== "page" && code !== "chapter")
+      .map(({ message, page }) => ({ message, ...(page === undefined ? {} : { page }) }));
   }
 
   /** Draws page `index` (from 0) and reads its text. A failure is a sentence. */

@@ -133,6 +133,12 @@ export class Taking {
       };
       await this.#part(() => this.#film(action, which, show));
     }
+    this.#progress.clear();
+    const warnings = new Warnings();
+    for (const sentence of await this.#page.evaluate<string[]>("film.warnings()")) {
+      warnings.add(printable(sentence));
+    }
+    warnings.end();
   }
 
   /** Resolves when the page's script has run. */

@@ -4,7 +4,7 @@ import { copyFile, mkdir, rename, rm, writeFile } from "node:fs/promises";
 import { basename, dirname, extname, join } from "node:path";
 import type { ServedBook } from "../book.ts";
 import { Problem } from "../problem.ts";
-import type { DrawnPage, DrawOptions } from "./drawn_page.ts";
+import type { BookLack, DrawnPage, DrawOptions } from "./drawn_page.ts";
 import { type PageDrawer, TookTooLong } from "./page_drawer.ts";
 import { paragraphsOf } from "./page_text.ts";
 import { searchWords } from "./search_words.ts";
@@ -38,6 +38,8 @@ export interface BookTask {
   readonly until: number;
   readonly signal: AbortSignal;
   readonly progress: (fraction: number) => void;
+  /** Called with what the book lists and cannot be shown, once all its pages are drawn. */
+  readonly lacks: (lacks: readonly BookLack[]) => void;
 }
 
 /**
@@ -81,6 +83,7 @@ export async function drawBook(folder: string, task: BookTask): Promise<number[]
     }
     task.progress((index + 1) / opened.pageCount);
   }
+  task.lacks(await drawer.warnings());
   for (const [file, text] of termFiles(terms)) {
     await writeFile(await fileIn(folder, `words/${file}`), text);
   }

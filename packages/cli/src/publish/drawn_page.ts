@@ -38,3 +38,11 @@ export interface DrawnPage {
   /** Why it could not be drawn, in a sentence. */
   readonly failed?: string;
 }
+
+/** Something that a book lists and that cannot be shown. */
+export interface BookLack {
+  /** A sentence that says so. */
+  readonly message: string;
+  /** The page on which it would be shown, from 1, if that is known. */
+  readonly page?: number;
+}

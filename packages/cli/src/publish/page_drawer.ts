@@ -5,7 +5,7 @@ import type { ServedBook, ServedFile } from "../book.ts";
 import { ChromiumPage } from "../chromium/devtools.ts";
 import { Problem } from "../problem.ts";
 import { type Serving, serve } from "../server.ts";
-import type { DrawnPage, DrawOptions, OpenedBook } from "./drawn_page.ts";
+import type { BookLack, DrawnPage, DrawOptions, OpenedBook } from "./drawn_page.ts";
 
 /** Milliseconds that a browser has to start or to leave a page. */
 const startingTime = 60_000;
@@ -82,6 +82,13 @@ export class PageDrawer {
   async draw(index: number, options: DrawOptions): Promise<DrawnPage> {
     return await this.#within(this.#patience, `Page ${index + 1}`, (page) =>
       page.evaluate<DrawnPage>(`drawing.page(${index}, ${JSON.stringify(options)})`),
+    );
+  }
+
+  /** Returns what the open book lists and cannot be shown, as far as its pages were drawn. */
+  async warnings(): Promise<readonly BookLack[]> {
+    return await this.#within(this.#patience, "The book", (page) =>
+      page.evaluate<BookLack[]>("drawing.warnings()"),
     );
   }
 

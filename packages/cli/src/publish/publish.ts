@@ -6,9 +6,11 @@ import { openBook } from "../book.ts";
 import { findChromium } from "../chromium/find_chromium.ts";
 import { fileProblem, Problem, printable } from "../problem.ts";
 import { Progress } from "../progress.ts";
+import { Warnings } from "../warnings.ts";
 import { type ListedBook, listBooks } from "./catalogue.ts";
 import { contentHash, hashOf } from "./content_hash.ts";
 import { drawBook, makeFolder } from "./draw_book.ts";
+import type { BookLack } from "./drawn_page.ts";
 import { mergeShards, type ShardNote } from "./merge.ts";
 import { PageDrawer } from "./page_drawer.ts";
 import type { PublishCommand } from "./publish_arguments.ts";
@@ -140,15 +142,22 @@ class Publishing {
         const { id, given } = listed;
         this.#failures[index] = [{ id, book: printable(given), message: sentenceOf(error) }];
       }
-      for (const { page, message } of this.#failures[index] ?? []) {
-        this.#progress.clear();
-        const where = page === undefined ? "" : `, page ${page}`;
-        console.error(`${printable(listed.given)}${where}: ${message}`);
-      }
+      this.#report(listed, this.#failures[index] ?? []);
       this.#fractions.delete(index);
       this.#ended++;
       this.#show(listed);
     }
+  }
+
+  /** Prints sentences about a book, as many of each kind as are read. */
+  #report({ given }: ListedBook, sentences: readonly BookLack[]): void {
+    const warnings = new Warnings();
+    if (sentences.length > 0) this.#progress.clear();
+    for (const { page, message } of sentences) {
+      const where = page === undefined ? "" : `, page ${page}`;
+      warnings.add(`${printable(given)}${where}: ${printable(message)}`);
+    }
+    warnings.end();
   }
 
   /**
@@ -172,6 +181,7 @@ class Publishing {
         const late = await drawBook(part, {
           ...{ book, name: printable(name), drawer, options, signal: this.#signal },
           until: Date.now() + 60_000 * bookMinutes,
+          lacks: (lacks) => this.#report(listed, lacks),
           progress: (fraction) => {
             this.#fractions.set(index, fraction);
             this.#show(listed);

@@ -201,8 +201,11 @@ export class Turning {
    * held key stops soon after its release.
    *
    * Resolves as `turn` does, and at once to false if too many turns wait.
+   *
+   * @param isTap whether the reader asks by a press of its own, as of a key that is not held: each
+   * counts, however many wait, as several may come within one late frame
    */
-  press(by: 1 | -1): Promise<boolean> {
+  press(by: 1 | -1, isTap = false): Promise<boolean> {
     const held = this.#heldLast;
     if (held !== undefined) return this.#turnHeld(held, by);
     if (!this.#isReaders && this.#plansAgainst(by)) this.#plan = [];
@@ -211,7 +214,8 @@ export class Turning {
     else if (back !== undefined && this.#plan.length === 0) this.#play(back, sideTo(by));
     else {
       const spread = this.#next(by);
-      if (spread === null || this.#plan.length >= mostWaiting) return Promise.resolve(false);
+      const isFull = !isTap && this.#plan.length >= mostWaiting;
+      if (spread === null || isFull) return Promise.resolve(false);
       this.#plan.push(spread);
       this.#isReaders = true;
     }

@@ -3,6 +3,7 @@
  * so that a test double can replace it.
  */
 
+import type { WarningDetail } from "../element/events.ts";
 import type { PrintOptions } from "../element/printing.ts";
 import type { BookDetail, OutlineEntry, PagePicture } from "../sources/page_source.ts";
 
@@ -45,6 +46,8 @@ export interface ControlledBook<Hit extends FoundPlace = FoundPlace> extends HTM
   /** What the book's owner wants to be shown of it. */
   readonly titleDirection: "ltr" | "rtl" | "auto";
   readonly details: readonly BookDetail[];
+  /** What cannot be shown of it. */
+  readonly warnings: readonly WarningDetail[];
   label(page: number): string;
   /**
    * Returns what says on which face a page (from 1) lies where two are shown side by side, in the
@@ -53,9 +56,10 @@ export interface ControlledBook<Hit extends FoundPlace = FoundPlace> extends HTM
   pageFaces(): (page: number) => number;
   /**
    * Turns one leaf forward (1) or back (-1) for the reader: what a held key
-   * repeats ends soon after its release.
+   * repeats ends soon after its release. `isTap` says that something was pressed once: it counts in
+   * any case.
    */
-  press(by: 1 | -1): Promise<boolean>;
+  press(by: 1 | -1, isTap?: boolean): Promise<boolean>;
   /** Turns to a page of the open book for its reader, and to a place so far down it. */
   turnTo(page: number, options?: { readonly top?: number }): Promise<boolean>;
   zoomTo(level: number): void;

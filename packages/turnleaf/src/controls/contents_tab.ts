@@ -4,7 +4,7 @@ import type { BookDetail, OutlineEntry } from "../sources/page_source.ts";
 import type { ControlledBook } from "./book.ts";
 import { make } from "./make.ts";
 import type { PanelTab } from "./panel.ts";
-import type { Wording } from "./wording.ts";
+import { namePage, type Wording } from "./wording.ts";
 
 /** Maximum of lines shown, and of their depth. */
 const mostLines = 3000;
@@ -19,6 +19,8 @@ export class ContentsTab implements PanelTab {
   #lines: { readonly page: number; readonly button: HTMLButtonElement }[] = [];
   /** The request, pending or done; null before the first. */
   #asked: object | null = null;
+  /** The warnings that are listed, as text. */
+  #shownWarnings = "[]";
 
   /** @param picked called when the reader went to an entry */
   constructor(book: ControlledBook, wording: Wording, picked: () => void) {
@@ -52,6 +54,7 @@ export class ContentsTab implements PanelTab {
     if (entries.length === 0) {
       this.#tell(sentence);
       this.element.append(...detailList(details));
+      this.#listWarnings();
       return;
     }
     const hadFocus = this.element === activeIn(this.element);
@@ -68,6 +71,7 @@ export class ContentsTab implements PanelTab {
   forget(): void {
     this.#asked = null;
     this.#lines = [];
+    this.#shownWarnings = "[]";
     this.element.replaceChildren();
   }
 
@@ -76,10 +80,42 @@ export class ContentsTab implements PanelTab {
       this.show();
       return;
     }
+    this.#listWarnings();
     const current = this.#current();
     for (const { button } of this.#lines) button.removeAttribute("aria-current");
     current?.setAttribute("aria-current", "true");
     if (current) this.#reveal(current);
+  }
+
+  /** Lists what cannot be shown of the book below all else, folded up until the reader asks. */
+  #listWarnings(): void {
+    const { warnings } = this.#book;
+    const shown = JSON.stringify(warnings);
+    if (shown === this.#shownWarnings) return;
+    this.#shownWarnings = shown;
+    const before = this.element.querySelector(".warnings");
+    before?.remove();
+    if (warnings.length === 0) return;
+    const { plural, texts } = this.#wording;
+    const items = warnings.map(({ message, page }) => {
+      const line = make("span", { dir: "auto" }, message);
+      return make("li", {}, line, ...(page === undefined ? [] : [" ", this.#pageLink(page)]));
+    });
+    const open = before?.hasAttribute("open") ?? false;
+    const title = make("summary", {}, plural(texts.notShown, warnings.length));
+    this.element.append(
+      make("details", { class: "details warnings", open }, title, make("ul", {}, ...items)),
+    );
+  }
+
+  /** Returns a button that turns to a page. */
+  #pageLink(page: number): HTMLElement {
+    const button = make("button", { type: "button" }, namePage(this.#wording, this.#book, page));
+    button.addEventListener("click", () => {
+      void this.#book.turnTo(page);
+      this.#picked();
+    });
+    return button;
   }
 
   /** Scrolls the list until a line is in sight; `scrollIntoView` would scroll the web page too. */

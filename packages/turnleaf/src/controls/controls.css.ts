@@ -50,6 +50,10 @@ export const style: string = /* css */ `
 .details { list-style: none; margin: 8px 0 0; padding: 8px 10px; border-top: 1px solid var(--turnleaf-line); overflow-wrap: anywhere; }
 .details li { margin-block: 4px; }
 .details a { color: inherit; }
+.warnings { color: var(--turnleaf-muted); }
+.warnings summary { min-height: 32px; cursor: pointer; }
+.warnings ul { margin: 0; padding-inline-start: 16px; }
+.warnings button { color: inherit; text-decoration: underline; }
 .contents .contents { padding-inline-start: 14px; }
 .line { box-sizing: border-box; width: 100%; min-height: 44px; display: flex; justify-content: space-between; align-items: baseline; gap: 12px; padding: 11px 10px !important; border-radius: 8px; text-align: start; text-decoration: none; color: inherit; overflow-wrap: anywhere; }
 .line .label { color: var(--turnleaf-muted); font-variant-numeric: tabular-nums; flex: none; }

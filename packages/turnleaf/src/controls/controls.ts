@@ -44,6 +44,7 @@ const heard = [
   "shiftchange",
   "playchange",
   "readaloudchange",
+  "warnings",
 ];
 
 /**

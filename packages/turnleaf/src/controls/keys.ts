@@ -56,7 +56,7 @@ function handle(event: KeyboardEvent, book: ControlledBook, commands: KeyCommand
   const onBook: Record<string, () => unknown> = {
     Home: () => book.turnTo(1),
     End: () => book.turnTo(Number.POSITIVE_INFINITY),
-    " ": () => book.press(event.shiftKey ? -1 : 1),
+    " ": () => book.press(event.shiftKey ? -1 : 1, !event.repeat),
   };
   // In its shadow tree, the frame around everything takes the focus for the book.
   const isBook = target === book || (target as Node).parentNode === book.shadowRoot;

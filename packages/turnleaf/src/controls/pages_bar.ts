@@ -117,7 +117,7 @@ export class PagesBar {
 
   #turn(button: HTMLButtonElement): void {
     if (button.ariaDisabled === "true") return;
-    void this.#book.press(button === this.#next ? 1 : -1);
+    void this.#book.press(button === this.#next ? 1 : -1, true);
   }
 
   #go(): void {

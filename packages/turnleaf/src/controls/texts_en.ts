@@ -59,6 +59,10 @@ export const en: ControlTexts = {
   sepia: "Sepia",
   night: "Night",
   noContents: "This book has no table of contents.",
+  notShown: {
+    one: "{n} thing in this book is not shown",
+    other: "{n} things in this book are not shown",
+  },
   noBookmarks: "No page is bookmarked yet.",
   searchHint: "Find in this book",
   searching: "Searching …",

@@ -41,8 +41,11 @@ export interface LifecycleHooks {
   readonly plane: ElementPlane;
   /** How a book is shown. */
   options(source: PageList): ViewerOptions;
-  /** Turns one leaf forward (1) or back (-1), with motion or without, as the reader prefers. */
-  readonly turn: (by: 1 | -1) => void;
+  /**
+   * Turns one leaf forward (1) or back (-1), with motion or without, as the reader prefers; `isTap` says
+   * that a key or button was pressed once, and is not held.
+   */
+  readonly turn: (by: 1 | -1, isTap?: boolean) => void;
   /** Announces to screen readers the zoom level to which a key leads. */
   readonly announceZoom: () => void;
   /** Turns the open book to a page (from 1), and to a place so far down it, as `top` of `LinkTarget`. */
@@ -65,6 +68,8 @@ export interface LifecycleHooks {
   measured(): void;
   /** The pages of the open book, so many before, lie elsewhere: it is about to be bound anew. */
   renumbered(moved: NewIndex, pageCount: number): void;
+  /** What cannot be shown of the open book may be another list. */
+  warned(): void;
   /** An optional part of the viewer could not be loaded. */
   readonly missingPart: (error: unknown) => void;
   /** A book could not be opened; another may still be open. */
@@ -288,6 +293,11 @@ export class BookLifecycle {
       if (book?.source !== source) return;
       book.measure().then(() => this.#hooks.measured(), this.#hooks.missingPart);
     });
+    const warned = (): void => {
+      if (this.#book?.source === source) this.#hooks.warned();
+    };
+    source.watchWarnings(warned);
+    warned();
     source.watchDrawings((index) => {
       if (this.#book?.source !== source) return;
       this.#book.viewer.redraw(index + 1);

@@ -4,7 +4,7 @@ import type { DogEar } from "../book/dog_ears.ts";
 import type { PageFold } from "../book/page_folds.ts";
 import type { Edge, Layout } from "../book/spreads.ts";
 import type { BookState } from "../book/turning.ts";
-import type { BookErrorCode } from "../sources/page_source.ts";
+import type { BookErrorCode, BookWarningCode } from "../sources/page_source.ts";
 
 /** A turn from one page to another, in page numbers from 1. */
 export interface TurnDetail {
@@ -28,6 +28,18 @@ export interface FailureDetail {
   readonly page?: number | undefined;
   /** The book, file or address that it is about, if that is known. */
   readonly source?: string | undefined;
+}
+
+/** What a book lists and cannot be shown. */
+export interface WarningDetail {
+  /** A sentence that says so, in the element's language. */
+  readonly message: string;
+  /** What it is. */
+  readonly code: BookWarningCode;
+  /** The file, address, name or title that it is about, as the book has it. */
+  readonly source?: string | undefined;
+  /** The page on which it would be shown, from 1, if that is known. */
+  readonly page?: number | undefined;
 }
 
 /** The events of `<turnleaf-book>` by name, besides those of every element. */
@@ -76,6 +88,8 @@ export interface TurnleafEventMap {
    * place, gives the reason. The other pages are shown.
    */
   pageerror: CustomEvent<FailureDetail & { readonly page: number }>;
+  /** Something that the book lists and that cannot be shown is now in `warnings`. */
+  warnings: CustomEvent<{ warnings: readonly WarningDetail[] }>;
   /**
    * The book could not be opened or read aloud, or an optional part of the
    * viewer could not be loaded; the sentence says which.

@@ -1,9 +1,9 @@
 /** What an element says of an error, in its language. */
 
 import { nameAndMessage } from "../sources/failures.ts";
-import { BookError } from "../sources/page_source.ts";
-import { elementTexts, errorText, fill, number } from "../words/languages.ts";
-import type { FailureDetail } from "./events.ts";
+import { BookError, type BookWarning } from "../sources/page_source.ts";
+import { elementTexts, errorText, fill, number, warningText } from "../words/languages.ts";
+import type { FailureDetail, WarningDetail } from "./events.ts";
 
 /**
  * Returns what an element reports of an error.
@@ -26,11 +26,29 @@ export function failureDetail(error: unknown, tag: string, page?: number): Failu
   };
 }
 
-/** Returns the sentence for an error in a language; the error's own, which is English, if it has none. */
+/** Returns what an element reports of a warning, its sentence in a language. */
+export function warningDetail(warning: BookWarning, tag: string): WarningDetail {
+  const { code, message, source, page, error } = warning;
+  const text = warningText(tag, code);
+  const own = text === undefined ? message : fill(text, { source: source ?? "" });
+  return {
+    // A page says itself why it cannot be drawn; its number is given beside that.
+    message: code === "page" && error ? sentenceOf(error, tag, null) : own,
+    code,
+    ...(source !== undefined && { source }),
+    ...(page !== undefined && { page }),
+  };
+}
+
+/**
+ * Returns the sentence for an error in a language; the error's own, which is English, if it has none.
+ *
+ * @param page the page (from 1) that the sentence names; null for none
+ */
 export function sentenceOf(
   error: BookError,
   tag: string,
-  page: number | undefined = error.page,
+  page: number | null | undefined = error.page,
 ): string {
   const text = errorText(tag, error.code);
   if (text === undefined) return error.message;
@@ -39,6 +57,6 @@ export function sentenceOf(
     status: String(error.status ?? ""),
     detail: error.message,
   });
-  const around = page === undefined ? undefined : errorText(tag, "onPage");
+  const around = typeof page === "number" ? errorText(tag, "onPage") : undefined;
   return around === undefined ? sentence : fill(around, { page: number(tag, page ?? 0), sentence });
 }

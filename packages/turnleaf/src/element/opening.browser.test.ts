@@ -72,3 +72,31 @@ test("a page that is requested while a book opens is no page once the element is
     element.remove();
   }
 });
+
+test("a page that is requested after a book could not be opened is none; the next book opens there", async () => {
+  const element = book(() => Promise.reject(new Error("No.")));
+  await happens(element, "error");
+  expect(await element.goTo(3)).toBe(false);
+  expect(await element.goTo(4)).toBe(false);
+  element.pages = scans(6);
+  await happens(element, "load");
+  expect(element.page).toBe(4);
+});
+
+test("an address that names a page opens there, unless the element names another", async () => {
+  const pages = scans(8).map(({ src }) => ({ src }));
+  const manifest = URL.createObjectURL(new Blob([JSON.stringify(pages)]));
+  const opened = async (fragment: string, page = ""): Promise<number> => {
+    const element = document.createElement("turnleaf-book");
+    element.setAttribute("src", manifest + fragment);
+    if (page !== "") element.setAttribute("page", page);
+    document.body.append(element);
+    await happens(element, "load");
+    return element.page;
+  };
+  expect(await opened("#page=4")).toBe(4);
+  expect(await opened("#zoom=50&page=6")).toBe(6);
+  expect(await opened("#page=4", "2")).toBe(2);
+  expect(await opened("#page=900")).toBe(8);
+  expect(await opened("#page=x")).toBe(1);
+});

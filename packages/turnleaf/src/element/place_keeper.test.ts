@@ -1,6 +1,7 @@
 import { afterEach, expect, it, vi } from "vitest";
+import { pageOfHash } from "../sources/page_hash.ts";
 import { cleanPages } from "./page_numbers.ts";
-import { hashWithPage, loadPlace, pageOfHash, savePlace } from "./place_keeper.ts";
+import { hashWithPage, loadPlace, savePlace } from "./place_keeper.ts";
 
 afterEach(() => vi.unstubAllGlobals());
 

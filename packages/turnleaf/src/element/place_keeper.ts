@@ -7,6 +7,7 @@
 
 import type { DogEar } from "../book/dog_ears.ts";
 import type { PageFold } from "../book/page_folds.ts";
+import { pageInHash, pageOfHash } from "../sources/page_hash.ts";
 import type { PageList } from "../sources/page_list.ts";
 import { cleanDogEars, cleanFolds } from "./fold_lists.ts";
 import type { PageLists } from "./page_lists.ts";
@@ -326,20 +327,9 @@ function read(): [string, ...unknown[]][] {
 
 const short = (name: string): string => name.slice(0, longestName);
 
-const pattern = /(^#?|&)page=(\d{1,6})(?=&|$)/;
-
-/**
- * Returns the page (from 1) that a fragment such as `#page=12` or
- * `#a=b&page=12` names; null if it names none.
- */
-export function pageOfHash(hash: string): number | null {
-  const page = Number(pattern.exec(hash)?.[2] ?? 0);
-  return page >= 1 ? page : null;
-}
-
 /** Returns the fragment with another page in it; the rest stays. */
 export function hashWithPage(hash: string, page: number): string {
-  if (pattern.test(hash)) return hash.replace(pattern, `$1page=${page}`);
+  if (pageInHash.test(hash)) return hash.replace(pageInHash, `$1page=${page}`);
   return hash.length > 1 ? `${hash}&page=${page}` : `#page=${page}`;
 }
 

@@ -22,7 +22,8 @@ import type { SearchHit } from "../text/searching.ts";
 import { languageOf } from "../words/languages.ts";
 import { bindingOptionsOf } from "./attributes.ts";
 import type { OpenBook } from "./book_lifecycle.ts";
-import { failureDetail } from "./failure_detail.ts";
+import type { WarningDetail } from "./events.ts";
+import { failureDetail, warningDetail } from "./failure_detail.ts";
 import type { FilmRecorder, RecordOptions } from "./film_recorder.ts";
 import { cleanDogEars, cleanFolds, withDogEars } from "./fold_lists.ts";
 import { emptyLists, movedLists, type PageLists } from "./page_lists.ts";
@@ -71,6 +72,8 @@ export abstract class ReaderElement extends ReflectingElement {
   #lists: PageLists = emptyLists;
   /** The lists of which listeners know. */
   #reportedLists: PageLists = emptyLists;
+  /** The sentences of the warnings of which listeners know. */
+  #reportedWarnings = "[]";
   /** The last fold that was asked for: they are made one after the other. */
   #folding: Promise<unknown> = Promise.resolve();
   #film: FilmRecorder | null = null;
@@ -104,6 +107,30 @@ export abstract class ReaderElement extends ReflectingElement {
   /** What the book's owner wants to be shown of it, such as its licence; the controls show it. */
   get details(): readonly BookDetail[] {
     return this.source?.details ?? [];
+  }
+
+  /**
+   * What the open book lists and cannot be shown, each a sentence with the file and the page that it
+   * is about: missing images, fonts, sounds, lines of the contents that lead nowhere, pages that could not
+   * be drawn. At most 200. It grows while the book is laid out in the background and its pages are drawn,
+   * which the event `warnings` reports; the controls list it under the contents.
+   */
+  get warnings(): readonly WarningDetail[] {
+    const language = languageOf(this);
+    return (this.source?.warnings ?? []).map((warning) => warningDetail(warning, language));
+  }
+
+  /**
+   * Reports `warnings` if there are others than those reported last.
+   *
+   * @internal
+   */
+  protected reportWarnings(): void {
+    const { warnings } = this;
+    const sentences = JSON.stringify(warnings.map(({ message }) => message));
+    if (sentences === this.#reportedWarnings) return;
+    this.#reportedWarnings = sentences;
+    if (warnings.length > 0) this.emit("warnings", { warnings });
   }
 
   /** Returns the label of a page (from 1), such as "iv" or "23". */
@@ -701,6 +728,7 @@ export abstract class ReaderElement extends ReflectingElement {
   protected forgetBook(): void {
     this.pause();
     this.stopReadingAloud();
+    this.#reportedWarnings = "[]";
     this.#place?.closed();
     const { hardPages, stocks } = this;
     this.#list({ ...emptyLists, hardPages, stocks });

@@ -2,6 +2,7 @@
 
 import type { ControlledBook, FoundPlace } from "../controls/book.ts";
 import { addControls } from "../controls/controls.ts";
+import type { WarningDetail } from "../element/events.ts";
 import { addStyle, style } from "../element/shadow_tree.ts";
 import type { BookDetail, OutlineEntry } from "../sources/page_source.ts";
 import { clock } from "./clock.ts";
@@ -25,6 +26,7 @@ export class FakeBook extends HTMLElement implements ControlledBook {
   allows = { print: true, download: true };
   readonly titleDirection = "auto" as const;
   details: readonly BookDetail[] = [];
+  warnings: readonly WarningDetail[] = [];
   hits: readonly FoundPlace[] = [];
   /** The calls, in order. */
   readonly asked: string[] = [];

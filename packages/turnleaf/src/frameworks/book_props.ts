@@ -93,6 +93,7 @@ export const eventOf = {
   onPlayChange: "playchange",
   onReadAloudChange: "readaloudchange",
   onPageError: "pageerror",
+  onWarnings: "warnings",
   onError: "error",
 } as const;
 

@@ -40,7 +40,7 @@ export class Keys {
     const by = done ? 0 : turnOfKey(event.key, this.#target.viewer.binding.edge);
     if (!done && by === 0) return;
     event.preventDefault();
-    if (by !== 0) this.#target.turn(by);
+    if (by !== 0) this.#target.turn(by, !event.repeat);
   }
 
   /** Returns whether the book itself has the focus. */

@@ -259,7 +259,7 @@ export class Input {
     if (hit === null || inside || !isOnLeaf(hit) || this.#viewer.drags.isFlying(hit)) return;
     const isRight = sideOf(hit) === Side.right;
     const way = forward(this.#viewer.binding);
-    this.#target.turn(isRight ? way : (-way as 1 | -1));
+    this.#target.turn(isRight ? way : (-way as 1 | -1), true);
   }
 
   /**

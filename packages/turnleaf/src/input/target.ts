@@ -12,7 +12,7 @@ export interface InputTarget {
   /** How the stage is seen in the window. */
   readonly plane: ElementPlane;
   /** Turns one leaf forward (1) or back (-1), with motion or without, as the reader prefers. */
-  readonly turn: (by: 1 | -1) => void;
+  readonly turn: (by: 1 | -1, isTap?: boolean) => void;
   /** Announces to screen readers the zoom level to which a key leads. */
   readonly announceZoom: () => void;
   /** Returns whether the reader prefers reduced motion. */

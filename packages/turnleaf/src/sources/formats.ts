@@ -184,10 +184,14 @@ function imageAlone(src: string | Blob, name: string): ImageBook {
   return { name, title: name, language: "", direction: "ltr", kind: "scan", pages: [{ src }] };
 }
 
-/** Returns whether JSON is of IIIF, by the context that it names. */
+/**
+ * Returns whether JSON is of IIIF, by the context that it names: version 1 of Presentation had that of
+ * Shared Canvas.
+ */
 function isIiif(value: unknown): value is Record<string, unknown> {
   const contexts = isRecord(value) ? [value["@context"]].flat() : [];
-  return contexts.some((one) => typeof one === "string" && one.includes("iiif.io/api/"));
+  const iiif = /iiif\.io\/api\/|shared-canvas\.org\/ns\/context/;
+  return contexts.some((one) => typeof one === "string" && iiif.test(one));
 }
 
 async function parseJson({ blob }: WholeFile, name: string): Promise<unknown> {

@@ -6,6 +6,7 @@ import { loadPart } from "./load_part.ts";
 import type { ImageBook, ImagePage, StoredImage } from "./manifest.ts";
 import {
   BookError,
+  type BookWarning,
   type OutlineEntry,
   type PageBox,
   type PageLink,
@@ -17,6 +18,7 @@ import {
 import { SharedTasks } from "./shared_tasks.ts";
 import { mayLieTurned, shownImage } from "./shown_image.ts";
 import { unshownFormat } from "./sniff.ts";
+import { joinedWarnings, lostLines } from "./warnings.ts";
 
 /** Encoded images kept, so that drawing a page sharper does not fetch it again. */
 const keptImages = 6;
@@ -32,6 +34,7 @@ export class ImageSource implements PageSource {
   readonly direction: "ltr" | "rtl";
   readonly kind: "typeset" | "scan";
   readonly pageCount: number;
+  readonly warnings: readonly BookWarning[];
   /** The archive of the images, or a single image. */
   readonly file?: () => Promise<Blob>;
   readonly #book: ImageBook;
@@ -49,6 +52,7 @@ export class ImageSource implements PageSource {
     this.pageCount = book.pages.length;
     this.#book = book;
     this.#sizes = book.pages.map((page) => page.size);
+    this.warnings = joinedWarnings(book.warnings ?? [], lostLines(book.outline ?? [], book.name));
     const { file } = book;
     if (file) this.file = () => Promise.resolve(file);
     else if (this.pageCount === 1) this.file = () => this.#image(0);

@@ -57,6 +57,8 @@ export const limits = {
   /** Lines of the contents, and their depth. */
   outlineEntries: 5000,
   outlineDepth: 8,
+  /** What of a book is listed as not shown. */
+  warnings: 200,
 } as const;
 
 /** All of a page, in fractions of its size. */

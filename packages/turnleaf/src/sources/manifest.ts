@@ -11,7 +11,14 @@ import {
   parseOutline,
   parseText,
 } from "./manifest_text.ts";
-import type { OutlineEntry, PageBox, PageLink, PageSize, TextRun } from "./page_source.ts";
+import type {
+  BookWarning,
+  OutlineEntry,
+  PageBox,
+  PageLink,
+  PageSize,
+  TextRun,
+} from "./page_source.ts";
 
 /** An image that is read when it is needed, as from an archive. */
 export interface StoredImage {
@@ -51,6 +58,8 @@ export interface ImageBook {
   readonly pageWidth?: number;
   readonly pages: readonly ImagePage[];
   readonly outline?: readonly OutlineEntry[];
+  /** What of it cannot be shown, as far as that is known. */
+  readonly warnings?: readonly BookWarning[];
   /** The file that they are all in. */
   readonly file?: Blob;
   /** Frees what the images are read from. */

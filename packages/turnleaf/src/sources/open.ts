@@ -5,6 +5,7 @@ import { handedOut } from "./handed_out.ts";
 import { type Bytes, blobOf, elementsOf, filesOf, wrongKind } from "./input_values.ts";
 import { loadPart } from "./load_part.ts";
 import { type Manifest, type ManifestPage, parseManifest } from "./manifest.ts";
+import { pageOfHash } from "./page_hash.ts";
 import { PageList } from "./page_list.ts";
 import { BookError, type PageSource, type Typography } from "./page_source.ts";
 import type { PdfOptions } from "./pdf.ts";
@@ -94,7 +95,12 @@ async function openAddress(address: string, options: OpenOptions): Promise<PageS
   const url = resolve(address, options);
   prepareFor(url, options);
   const file = await fileAt(url, options.name ?? nameOfUrl(url), options.signal);
-  return await openFile(file, { ...options, base: url });
+  const fragment = new URL(url).hash.slice(1);
+  const source = await openFile(file, { ...options, base: url, fragment });
+  const page = pageOfHash(fragment);
+  if (page === null) return source;
+  // The address says it of any format, and says more than the file.
+  return Object.defineProperty(source, "openingPage", { value: Math.min(page, source.pageCount) });
 }
 
 async function openBlob(blob: Blob, options: OpenOptions): Promise<PageSource> {

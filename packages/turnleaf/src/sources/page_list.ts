@@ -1,7 +1,9 @@
 /** A book whose pages may be added, removed and replaced while it is open. */
 
+import { limits } from "./limits.ts";
 import {
   BookError,
+  type BookWarning,
   type LinkTarget,
   type Narration,
   type NewIndex,
@@ -16,6 +18,7 @@ import {
   placeOf,
   type TextRun,
 } from "./page_source.ts";
+import { joinedWarnings } from "./warnings.ts";
 
 /**
  * A page of a list: which page (from 0) of which source it is. It is the same object for as long
@@ -48,6 +51,9 @@ export class PageList implements PageSource {
   #entries: readonly Entry[] = [];
   #listener: ((change: () => NewIndex) => void) | null = null;
   #onDrawing: ((index: number) => void) | null = null;
+  #onWarning: (() => void) | null = null;
+  /** Why pages could not be drawn when they were drawn last. */
+  readonly #errors = new Map<Entry, BookError>();
 
   constructor(source: PageSource) {
     this.first = source;
@@ -63,6 +69,35 @@ export class PageList implements PageSource {
     this.#onDrawing = listener;
     const sources = new Set(this.#entries.map((entry) => entry.source));
     for (const source of sources) this.#watchDrawings(source);
+  }
+
+  /** What cannot be shown of all sources, and the pages that could not be drawn. */
+  get warnings(): readonly BookWarning[] {
+    const sources = [...new Set(this.#entries.map((entry) => entry.source))];
+    const listed = sources.flatMap((source) =>
+      (source.warnings ?? []).flatMap((warning): BookWarning[] => {
+        if (warning.page === undefined) return [warning];
+        const page = this.#pageOf(source, warning.page);
+        return page === null ? [] : [{ ...warning, page }];
+      }),
+    );
+    const failed = [...this.#errors].flatMap(([entry, error]): BookWarning[] => {
+      const index = this.indexOf(entry);
+      const { message, source } = error;
+      const about = source === undefined ? {} : { source };
+      return index === null ? [] : [{ code: "page", message, page: index + 1, error, ...about }];
+    });
+    // A page that was drawn says more of why it is none.
+    const pages = new Set(failed.map(({ page }) => page));
+    const others = listed.filter(({ code, page }) => code !== "page" || !pages.has(page));
+    return joinedWarnings(others, failed);
+  }
+
+  watchWarnings(listener: () => void): void {
+    this.#onWarning = listener;
+    for (const source of new Set(this.#entries.map((entry) => entry.source))) {
+      source.watchWarnings?.(listener);
+    }
   }
 
   outdate(index: number): void {
@@ -210,8 +245,27 @@ export class PageList implements PageSource {
     return entry?.source.roll?.(entry.index) ?? null;
   }
 
-  draw(index: number, width: number, signal: AbortSignal, region?: PageBox): Promise<PagePicture> {
-    return this.#of(index, (source, own) => source.draw(own, width, signal, region));
+  async draw(
+    index: number,
+    width: number,
+    signal: AbortSignal,
+    region?: PageBox,
+  ): Promise<PagePicture> {
+    const entry = this.#entries[index];
+    try {
+      const picture = await this.#of(index, (source, own) =>
+        source.draw(own, width, signal, region),
+      );
+      if (entry) this.#errors.delete(entry);
+      return picture;
+    } catch (error) {
+      const isListed = entry !== undefined && this.#errors.size < limits.warnings;
+      if (isListed && error instanceof BookError && error.code !== "closed") {
+        this.#errors.set(entry, error);
+        this.#onWarning?.();
+      }
+      throw error;
+    }
   }
 
   text(index: number, signal: AbortSignal, exact?: boolean): Promise<readonly TextRun[]> {
@@ -290,6 +344,7 @@ export class PageList implements PageSource {
     if (source) {
       this.#watch(source);
       this.#watchDrawings(source);
+      if (this.#onWarning) source.watchWarnings?.(this.#onWarning);
     }
     if (added.length === 0 || count === 0) return moved;
     // What replaces a page has its place.

@@ -44,6 +44,11 @@ export interface TextRun extends PageBox {
    * width, if the source knows.
    */
   readonly places?: readonly number[];
+  /**
+   * The formula that it is, as MathML, which is read aloud by screen readers in place of `text`: this
+   * is what is copied and searched, TeX or its signs on one line. The default is none.
+   */
+  readonly math?: string;
 }
 
 /**
@@ -61,7 +66,7 @@ export interface PageLink extends PageBox {
   readonly title: string;
   /** Where it leads. */
   readonly to: LinkTarget;
-  /** The text of the note to which it leads, if it is one: shown over the page. */
+  /** The text of the note to which it leads, if it is one: shown over the page, a line for each paragraph. */
   readonly note?: string;
   /** Whether the reader is asked before it is followed out of the book. The default is false. */
   readonly asks?: boolean;
@@ -339,8 +344,46 @@ export interface PageSource {
   watchSizes?(listener: () => void): void;
   /** What is read aloud of the book; absent if nothing is. */
   readonly narration?: Narration;
+  /**
+   * What the book lists and cannot be shown, as far as it is known by now: at most 200 entries. A
+   * page that cannot be drawn need not be among them. The default is none.
+   */
+  readonly warnings?: readonly BookWarning[];
+  /** Sets the listener for entries that are added to `warnings`. */
+  watchWarnings?(listener: () => void): void;
   /** Frees workers, files and memory. Drawing afterwards rejects. */
   close(): void;
+}
+
+/**
+ * What a book lists and cannot be shown: a mark upon a page or a layer of text (`annotation`), a
+ * `chapter`, a line of its `contents`, what is `embedded` in a page from elsewhere, a `font`, an
+ * `image`, a sound or a film (`medium`), the text of a `note`, a `page`, a `style` sheet.
+ */
+export type BookWarningCode =
+  | "annotation"
+  | "chapter"
+  | "contents"
+  | "embedded"
+  | "font"
+  | "image"
+  | "medium"
+  | "note"
+  | "page"
+  | "style";
+
+/** What a book lists and cannot be shown. */
+export interface BookWarning {
+  /** What it is. */
+  readonly code: BookWarningCode;
+  /** One sentence that says so, in English. */
+  readonly message: string;
+  /** The file, address, name or title that it is about, as the book has it. */
+  readonly source?: string;
+  /** The page on which it would be shown, from 1, if that is known. */
+  readonly page?: number;
+  /** What stands in its place, if it is a page. */
+  readonly error?: BookError;
 }
 
 /**

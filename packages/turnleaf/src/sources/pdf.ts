@@ -1,11 +1,12 @@
 import type { PDFDocumentLoadingTask, PDFDocumentProxy, PDFPageProxy } from "pdfjs-dist";
-import { cleanAddress, cleanLanguage, cleanText } from "./book_text.ts";
+import { cleanAddress, cleanLanguage, cleanText, decodeEscapes } from "./book_text.ts";
 import { nameAndMessage, unknownFailure } from "./failures.ts";
 import { brokeOff, httpError } from "./fetch_bytes.ts";
 import { fitPixels, isPageSize, limits, wholePage } from "./limits.ts";
 import {
   type BookDetail,
   BookError,
+  type BookWarning,
   type OutlineEntry,
   type PageBox,
   type PageField,
@@ -19,6 +20,7 @@ import { altOfPage } from "./pdf_alt.ts";
 import { linksOfPage, PdfForm } from "./pdf_annotations.ts";
 import { type PdfInput, place } from "./pdf_bytes.ts";
 import { lettersOfPage } from "./pdf_letters.ts";
+import { bareMarksOf, drawMarks, notesOfPage, playedOnPage } from "./pdf_marks.ts";
 import { rejectPortfolio } from "./pdf_portfolio.ts";
 import {
   blobWorker,
@@ -32,6 +34,7 @@ import { outlineOf, PdfTargets } from "./pdf_targets.ts";
 import { textOfPage } from "./pdf_text.ts";
 import { notStarted, PdfThread, WorkerNotStarted } from "./pdf_thread.ts";
 import { orAborted } from "./shared_tasks.ts";
+import { lostLines, WarningList, warningOf } from "./warnings.ts";
 
 /** Bits of a protected file's permissions, as ISO 32000 numbers them. */
 const permission = { print: 0x04, copy: 0x10 } as const;
@@ -49,6 +52,8 @@ export interface PdfOptions {
   readonly askPassword?: (isWrong: boolean) => Promise<string | null>;
   /** Aborts the opening. */
   readonly signal?: AbortSignal;
+  /** What stands behind "#" in the address: it may name a place at which to open. */
+  readonly fragment?: string;
 }
 
 /** Bytes of one such piece. */
@@ -106,7 +111,7 @@ export async function openPdf(input: PdfInput, options: PdfOptions = {}): Promis
       };
     }
     const opening = thread.orFailed(
-      Promise.race([describe(task, input), grownTooLarge(task, input)]),
+      Promise.race([describe(task, input, options.fragment), grownTooLarge(task, input)]),
     );
     const description = await (signal ? orAborted(opening, signal) : opening);
     return new PdfSource(thread, description, stop);
@@ -162,12 +167,19 @@ interface Description {
 }
 
 /**
- * Returns the page at which a PDF should open; the first if it does not say, or
- * its setting is invalid.
+ * Returns the page at which a PDF should open, by a named destination of its address or by its own
+ * setting; the first if neither is valid.
  */
-async function openingPageOf(document: PDFDocumentProxy, targets: PdfTargets): Promise<number> {
+async function openingPageOf(
+  document: PDFDocumentProxy,
+  targets: PdfTargets,
+  fragment: string,
+): Promise<number> {
+  const bare = fragment.includes("=") ? null : decodeEscapes(fragment);
+  const named = new URLSearchParams(fragment).get("nameddest") ?? bare;
+  const there = named ? await targets.page(named) : null;
   const action = await document.getOpenAction();
-  return (await targets.page(action?.get("dest"))) ?? 1;
+  return there ?? (await targets.page(action?.get("dest"))) ?? 1;
 }
 
 /** Returns who wrote a PDF and by which rights it may be used, as far as it says so. */
@@ -193,7 +205,11 @@ function detailsOf(
   ];
 }
 
-async function describe(task: PDFDocumentLoadingTask, input: PdfInput): Promise<Description> {
+async function describe(
+  task: PDFDocumentLoadingTask,
+  input: PdfInput,
+  fragment = "",
+): Promise<Description> {
   const document = await task.promise;
   const count = document.numPages;
   if (count < 1)
@@ -212,11 +228,12 @@ async function describe(task: PDFDocumentLoadingTask, input: PdfInput): Promise<
     document.getMetadata().catch(() => null),
     document.getViewerPreferences().catch(() => null),
     document.getPageLabels().catch(() => null),
-    openingPageOf(document, targets).catch(() => 1),
+    openingPageOf(document, targets, fragment).catch(() => 1),
     document.getPermissions().catch(() => null),
   ]);
   const info = (metadata?.info ?? {}) as Record<string, unknown>;
   await rejectPortfolio(document, info, input.name);
+  rejectXfa(info, input.name);
   return {
     name: input.name,
     document,
@@ -233,6 +250,18 @@ async function describe(task: PDFDocumentLoadingTask, input: PdfInput): Promise<
     targets,
     form: new PdfForm(document),
   };
+}
+
+/**
+ * Throws a `BookError` for a form of XFA alone: its pages are made by Adobe's programs as they open it,
+ * and what is in the file in their place asks to wait.
+ */
+function rejectXfa(info: Readonly<Record<string, unknown>>, name: string): void {
+  if (info.IsXFAPresent !== true || info.IsAcroFormPresent === true) return;
+  throw new BookError(
+    `${name} is a form of XFA, whose pages only Adobe's programs make; print it to a PDF there, and open that.`,
+    { code: "unsupported", source: name },
+  );
 }
 
 const pointsInInch = 72;
@@ -253,6 +282,7 @@ class PdfSource implements PageSource {
   readonly #labels: readonly string[] | null;
   readonly #targets: PdfTargets;
   readonly #form: PdfForm;
+  readonly #warnings = new WarningList();
   readonly #stop: () => void;
   /** Pages in the order in which they were last drawn. */
   readonly #drawn = new Map<number, PDFPageProxy>();
@@ -273,6 +303,14 @@ class PdfSource implements PageSource {
     this.#targets = description.targets;
     this.#form = description.form;
     this.#stop = stop;
+  }
+
+  get warnings(): readonly BookWarning[] {
+    return this.#warnings.all;
+  }
+
+  watchWarnings(listener: () => void): void {
+    this.#warnings.watch(listener);
   }
 
   async size(index: number, signal?: AbortSignal): Promise<PageSize> {
@@ -330,8 +368,12 @@ class PdfSource implements PageSource {
     const cancel = (): void => task.cancel();
     signal.addEventListener("abort", cancel, { once: true });
     try {
-      await this.#thread.orFailed(task.promise);
+      const [marks] = await this.#thread.orFailed(Promise.all([bareMarksOf(page), task.promise]));
       signal.throwIfAborted();
+      if (marks.length > 0) {
+        const pen = canvas.getContext("2d") as OffscreenCanvasRenderingContext2D;
+        drawMarks(pen, page, marks, new DOMMatrix([scale, 0, 0, scale, offsetX, offsetY]));
+      }
       return canvas.transferToImageBitmap();
     } catch (error) {
       cancel();
@@ -354,7 +396,12 @@ class PdfSource implements PageSource {
   }
 
   async links(index: number, signal: AbortSignal): Promise<readonly PageLink[]> {
-    return await this.#read(index, signal, (page) => linksOfPage(page, this.#targets));
+    return await this.#read(index, signal, async (page) => {
+      const played = await playedOnPage(page);
+      const warnings = played.map((one) => warningOf("medium", one, this.#name));
+      this.#warnings.add(...warnings.map((warning) => ({ ...warning, page: index + 1 })));
+      return [...(await linksOfPage(page, this.#targets)), ...(await notesOfPage(page))];
+    });
   }
 
   async fields(index: number, signal: AbortSignal): Promise<readonly PageField[]> {
@@ -368,7 +415,9 @@ class PdfSource implements PageSource {
   async outline(signal: AbortSignal): Promise<readonly OutlineEntry[]> {
     const outline = this.#thread.orFailed(outlineOf(this.#document, this.#targets));
     try {
-      return await orAborted(outline, signal);
+      const lines = await orAborted(outline, signal);
+      this.#warnings.add(...lostLines(lines, this.#name));
+      return lines;
     } catch (error) {
       signal.throwIfAborted();
       throw sentenceFor(this.#thread.pdfjs, error, this.#name);

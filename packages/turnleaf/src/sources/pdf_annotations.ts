@@ -5,9 +5,16 @@ import type { PageBox, PageField, PageLink } from "./page_source.ts";
 import type { PdfTargets } from "./pdf_targets.ts";
 
 /** The properties of a pdf.js annotation used here; a file can contain anything. */
-interface Annotation {
+export interface Annotation {
   readonly id: string;
   readonly subtype?: string;
+  readonly annotationFlags?: number;
+  readonly hasAppearance?: boolean;
+  readonly inReplyTo?: string | null;
+  readonly titleObj?: { readonly str?: string };
+  readonly color?: Uint8ClampedArray | null;
+  readonly file?: { readonly filename?: string };
+  readonly richMedia?: { readonly filename?: string };
   readonly rect: readonly number[];
   readonly url?: string | null;
   readonly dest?: unknown;
@@ -89,7 +96,8 @@ export class PdfForm {
   }
 }
 
-async function annotationsOf(
+/** Returns a page's annotations of some kind, in their order. Rejects as pdf.js does. */
+export async function annotationsOf(
   page: PDFPageProxy,
   isWanted: (one: Annotation) => boolean,
 ): Promise<Annotation[]> {
@@ -97,7 +105,8 @@ async function annotationsOf(
   return all.filter(isWanted).slice(0, limits.annotations);
 }
 
-function boxOf(page: PDFPageProxy, { rect }: Annotation): PageBox | null {
+/** Returns where an annotation lies on its page; null if it lies nowhere. */
+export function boxOf(page: PDFPageProxy, { rect }: Annotation): PageBox | null {
   const [a, b, c, d, e, f] = page.getViewport({ scale: 1 }).transform as readonly number[];
   const [x1, x2] = [a * rect[0] + c * rect[1] + e, a * rect[2] + c * rect[3] + e];
   const [y1, y2] = [b * rect[0] + d * rect[1] + f, b * rect[2] + d * rect[3] + f];

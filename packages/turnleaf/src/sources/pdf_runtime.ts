@@ -1,6 +1,7 @@
 import { unpack } from "../packed.ts";
 import { loadPart } from "./load_part.ts";
 import { trustedScript } from "./trusted_script.ts";
+import { scriptAddress } from "./worker_script.ts";
 
 /** The library, loaded once, when the first PDF is opened. */
 export type PdfLibrary = typeof import("pdfjs-dist");
@@ -82,8 +83,7 @@ function forgetIfRejected<T>(promise: Promise<T>, forget: () => void): Promise<T
 }
 
 async function scriptUrl(packed: { default: string }): Promise<string> {
-  const code = await unpack(packed.default);
-  return URL.createObjectURL(new Blob([code], { type: "text/javascript" }));
+  return await scriptAddress(await unpack(packed.default));
 }
 
 /**

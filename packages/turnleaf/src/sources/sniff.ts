@@ -112,12 +112,13 @@ function isFictionBook(text: string): boolean {
 
 /**
  * Returns whether bytes are text: UTF-8, UTF-16 by its mark, or, where the
- * media type says text, in any encoding; none with control characters.
+ * media type says text, in any encoding. Old programs wrote control characters into text, such as the
+ * end of a DOS file or what terminals print bold; a byte of 0 none did.
  */
 function isText(start: Uint8Array, type: string): boolean {
   if (start.length === 0) return false;
   if (/^(\xff\xfe|\xfe\xff)/.test(latin1(start.subarray(0, 2)))) return true;
-  if (start.some((byte) => byte < 9 || (byte > 13 && byte < 32) || byte === 127)) return false;
+  if (start.includes(0)) return false;
   try {
     // The last character may be cut off.
     const stream = start.length >= sniffLength;

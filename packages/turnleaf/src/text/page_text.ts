@@ -2,6 +2,7 @@
 
 import type { TextRun } from "../sources/page_source.ts";
 import { fontSize, fractionBefore, widthOf } from "./fitting.ts";
+import { formulaOf } from "./formula.ts";
 import { isFlat, matrixOf, type Project, placeIn } from "./run_place.ts";
 
 /** A piece of a run that is laid out as one: from one character to another. */
@@ -18,11 +19,13 @@ const mostOff = 1;
 export function layText(runs: readonly TextRun[], project: Project): Node[] {
   return runs.flatMap((run) => {
     const place = placeIn(run, project);
-    const pieces = run.vertical ? [wholeOf(run)] : piecesOf(run, place);
+    const formula = run.math === undefined ? null : formulaOf(run.math);
+    const pieces = run.vertical || formula ? [wholeOf(run)] : piecesOf(run, place);
     const nodes: Node[] = pieces.map((piece) => {
       const span = document.createElement("span");
       span.textContent = piece.text;
       span.dir = "auto";
+
       const printed = piece.text.trimEnd() || piece.text;
       const length = widthOf(printed);
       const [width, height] = run.vertical ? [fontSize, length] : [length, fontSize];
@@ -40,6 +43,14 @@ export function layText(runs: readonly TextRun[], project: Project): Node[] {
       }
       return span;
     });
+    // A formula is read in place of its text, which is what is selected and copied.
+    const [span] = nodes;
+    if (formula && span instanceof HTMLElement) {
+      span.ariaHidden = "true";
+      formula.setAttribute("class", "formula");
+      formula.style.cssText = span.style.cssText;
+      nodes.push(formula);
+    }
     if (run.end) nodes.push(document.createElement("br"));
     return nodes;
   });

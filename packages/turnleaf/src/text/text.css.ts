@@ -15,6 +15,7 @@ export const textStyle: string = /* css */ `
 .text span, .text a, .field, .medium, .mark { position: absolute; left: 0; top: 0; transform-origin: 0 0; }
 .text span { z-index: 1; pointer-events: auto; cursor: text; user-select: text; -webkit-user-select: text; }
 .text.uncopied span { pointer-events: none; user-select: none; -webkit-user-select: none; }
+.text .formula { position: absolute; left: 0; top: 0; transform-origin: 0 0; overflow: hidden; opacity: 0; user-select: none; -webkit-user-select: none; }
 .text a { pointer-events: auto; cursor: pointer; border-radius: 2px; outline: 0 solid rgb(60 110 180); }
 .text a:hover { background: rgb(60 110 180 / 0.14); }
 .text a:focus-visible { outline-width: 2px; }
@@ -39,7 +40,7 @@ export const textStyle: string = /* css */ `
   box-shadow: 0 4px 20px rgb(0 0 0 / 0.22); user-select: text; -webkit-user-select: text;
 }
 .note:focus { outline: none; }
-.note p { margin: 0; overflow-wrap: break-word; }
+.note p { margin: 0; overflow-wrap: break-word; white-space: pre-line; }
 .note button {
   display: block; margin: 0.6em 0 0 auto; padding: 0.2em 0; border: 0; background: none; cursor: pointer;
   font: 13px var(--turnleaf-font, system-ui, sans-serif); color: var(--turnleaf-accent, #8a3324); text-decoration: underline;

@@ -46,11 +46,11 @@ export class LeafCommands {
   }
 
   /**
-   * Turns a leaf to the left (1) or the right (-1) for the reader. Resolves as
-   * `Turning.press` does.
+   * Turns a leaf to the left (1) or the right (-1) for the reader. `isTap` is, and it resolves, as
+   * `Turning.press` has it.
    */
-  press(way: 1 | -1): Promise<boolean> {
-    return this.#turn(way, (turning) => turning.press(way));
+  press(way: 1 | -1, isTap: boolean): Promise<boolean> {
+    return this.#turn(way, (turning) => turning.press(way, isTap));
   }
 
   /** Turns to a spread. Resolves as `Turning.goTo` does. */

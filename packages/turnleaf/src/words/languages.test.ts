@@ -78,5 +78,8 @@ it.each(names)(
         expect(hole, code).toMatch(known);
       }
     }
+    for (const [code, text] of Object.entries(texts.warnings)) {
+      expect(holes(text), code).toEqual(["{source}"]);
+    }
   },
 );

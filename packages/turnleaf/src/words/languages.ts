@@ -1,6 +1,6 @@
 /** Selects the element's language, and fills in texts. */
 
-import type { ElementTexts, ErrorTexts, Plural, Texts } from "./texts.ts";
+import type { ElementTexts, ErrorTexts, Plural, Texts, WarningTexts } from "./texts.ts";
 
 /** Texts that a page has added, and those built in that are loaded, by their tags. */
 const added = new Map<string, Partial<Texts>>();
@@ -65,6 +65,10 @@ export const elementTexts = (tag: string): ElementTexts => textsFor(tag, en);
 export const errorText = (tag: string, code: keyof ErrorTexts): string | undefined =>
   textsFor<{ readonly errors: Partial<ErrorTexts> }>(tag, { errors: {} }).errors[code];
 
+/** Returns the sentence for warnings with a code, in a language; undefined if it has none. */
+export const warningText = (tag: string, code: keyof WarningTexts): string | undefined =>
+  textsFor<{ readonly warnings: Partial<WarningTexts> }>(tag, { warnings: {} }).warnings[code];
+
 /**
  * Returns the texts for a language, each the first there is: added, built in, likewise of the
  * language without its region, English.
@@ -79,7 +83,8 @@ function merged<T extends object>(english: T, others: readonly unknown[]): T {
   const texts = { ...english } as Record<string, unknown>;
   for (const other of others) {
     for (const [name, text] of Object.entries(Object(other))) {
-      if (name === "errors") texts[name] = merged(Object(texts[name]), [text]);
+      if (name === "errors" || name === "warnings")
+        texts[name] = merged(Object(texts[name]), [text]);
       else if (isPlural(texts[name]) ? isPlural(text) : typeof text === "string")
         texts[name] = text;
     }

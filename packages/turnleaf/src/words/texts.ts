@@ -96,6 +96,8 @@ export interface ControlTexts {
   readonly sepia: string;
   readonly night: string;
   readonly noContents: string;
+  /** Over a list of what cannot be shown of the book. */
+  readonly notShown: Plural;
   readonly noBookmarks: string;
   readonly searchHint: string;
   readonly searching: string;
@@ -163,5 +165,33 @@ export interface ErrorTexts {
   readonly onPage: string;
 }
 
+/**
+ * What the element says of a `BookWarning` in other languages than English, by its `code`; the
+ * warning's own `message` is English. `{source}` is the file, address, name or title.
+ */
+export interface WarningTexts {
+  /** A mark on a page, or a list of such, is not there. */
+  readonly annotation: string;
+  /** A chapter. */
+  readonly chapter: string;
+  /** A line of the contents leads nowhere in the book. */
+  readonly contents: string;
+  /** What is embedded in a page from elsewhere. */
+  readonly embedded: string;
+  /** A font: its text is set in another. */
+  readonly font: string;
+  /** An image. */
+  readonly image: string;
+  /** A sound or a film. */
+  readonly medium: string;
+  /** A note is not there, or has no text. */
+  readonly note: string;
+  /** A file that is no page. */
+  readonly page: string;
+  /** A style sheet. */
+  readonly style: string;
+}
+
 /** Every text, so that a language is added whole. */
-export type Texts = ElementTexts & ControlTexts & { readonly errors: ErrorTexts };
+export type Texts = ElementTexts &
+  ControlTexts & { readonly errors: ErrorTexts; readonly warnings: WarningTexts };

@@ -70,6 +70,10 @@ export const texts: Texts = {
   sepia: "Sepia",
   night: "Nacht",
   noContents: "Dieses Buch hat kein Inhaltsverzeichnis.",
+  notShown: {
+    one: "{n} Sache aus diesem Buch wird nicht gezeigt",
+    other: "{n} Sachen aus diesem Buch werden nicht gezeigt",
+  },
   noBookmarks: "Noch hat keine Seite ein Lesezeichen.",
   searchHint: "In diesem Buch suchen",
   searching: "Suche läuft …",
@@ -88,6 +92,20 @@ export const texts: Texts = {
   open: "Öffnen",
   drawing: "Seite {page} wird gezeichnet …",
   wait: "Wird geladen …",
+  warnings: {
+    annotation:
+      "{source}, eine Anmerkung auf einer Seite, hat kein Aussehen, das gezeigt werden kann.",
+    chapter: "{source}, ein Kapitel, kann nicht gezeigt werden.",
+    contents:
+      "{source}, eine Zeile des Inhaltsverzeichnisses, führt zu keiner Stelle in diesem Buch.",
+    embedded: "{source}, in eine Seite eingebettet, fehlt oder kann dort nicht gezeigt werden.",
+    font: "{source}, eine Schrift, fehlt oder ist beschädigt; ihr Text ist in einer anderen gesetzt.",
+    image: "{source}, ein Bild, fehlt oder kann nicht gezeigt werden.",
+    medium: "{source}, ein Ton oder ein Film, fehlt oder kann nicht abgespielt werden.",
+    note: "{source}, eine Fußnote, fehlt oder hat keinen Text.",
+    page: "{source} ist im Buch aufgeführt und ist keine Seite, die gezeigt werden kann.",
+    style: "{source}, eine Formatvorlage, fehlt oder kann nicht gelesen werden.",
+  },
   errors: {
     absent: "{source} wurde nicht gefunden; prüfen Sie die Adresse und öffnen Sie es noch einmal.",
     blocked:

@@ -70,6 +70,10 @@ export const texts: Texts = {
   sepia: "Sepia",
   night: "Noche",
   noContents: "Este libro no tiene índice.",
+  notShown: {
+    one: "{n} elemento de este libro no se muestra",
+    other: "{n} elementos de este libro no se muestran",
+  },
   noBookmarks: "Aún no hay ninguna página con marcador.",
   searchHint: "Buscar en este libro",
   searching: "Buscando…",
@@ -88,6 +92,19 @@ export const texts: Texts = {
   open: "Abrir",
   drawing: "Dibujando la página {page}…",
   wait: "Cargando…",
+  warnings: {
+    annotation:
+      "{source}, una anotación en una página, no tiene una apariencia que se pueda mostrar.",
+    chapter: "{source}, un capítulo, no se puede mostrar.",
+    contents: "{source}, una línea del índice, no lleva a ningún lugar de este libro.",
+    embedded: "{source}, incrustado en una página, falta o no se puede mostrar allí.",
+    font: "{source}, una tipografía, falta o está dañada; su texto se compone en otra.",
+    image: "{source}, una imagen, falta o no se puede mostrar.",
+    medium: "{source}, un sonido o una película, falta o no se puede reproducir.",
+    note: "{source}, una nota, falta o no tiene texto.",
+    page: "{source} figura en el libro y no es una página que se pueda mostrar.",
+    style: "{source}, una hoja de estilo, falta o no se puede leer.",
+  },
   errors: {
     absent: "No se encontró {source}; compruebe la dirección y vuelva a abrirlo.",
     blocked:

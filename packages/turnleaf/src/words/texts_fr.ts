@@ -70,6 +70,10 @@ export const texts: Texts = {
   sepia: "Sépia",
   night: "Nuit",
   noContents: "Ce livre n’a pas de sommaire.",
+  notShown: {
+    one: "{n} élément de ce livre n’est pas affiché",
+    other: "{n} éléments de ce livre ne sont pas affichés",
+  },
   noBookmarks: "Aucune page n’a encore de signet.",
   searchHint: "Chercher dans ce livre",
   searching: "Recherche…",
@@ -85,6 +89,19 @@ export const texts: Texts = {
   open: "Ouvrir",
   drawing: "Dessin de la page {page}…",
   wait: "Chargement…",
+  warnings: {
+    annotation:
+      "{source}, une annotation sur une page, n’a pas d’apparence qui puisse être affichée.",
+    chapter: "{source}, un chapitre, ne peut pas être affiché.",
+    contents: "{source}, une ligne du sommaire, ne mène nulle part dans ce livre.",
+    embedded: "{source}, incorporé dans une page, est absent ou ne peut pas y être affiché.",
+    font: "{source}, une police, est absente ou endommagée ; son texte est composé dans une autre.",
+    image: "{source}, une image, est absente ou ne peut pas être affichée.",
+    medium: "{source}, un son ou un film, est absent ou ne peut pas être lu.",
+    note: "{source}, une note, est absente ou n’a pas de texte.",
+    page: "{source} figure dans le livre et n’est pas une page qui puisse être affichée.",
+    style: "{source}, une feuille de style, est absente ou ne peut pas être lue.",
+  },
   errors: {
     absent: "{source} est introuvable ; vérifiez l’adresse et réessayez.",
     blocked:

@@ -69,6 +69,7 @@ export const texts: Texts = {
   sepia: "セピア",
   night: "夜間",
   noContents: "この本には目次がありません。",
+  notShown: { other: "この本のうち{n}件が表示されません" },
   noBookmarks: "しおりはまだありません。",
   searchHint: "この本の中を検索",
   searching: "検索中…",
@@ -84,6 +85,18 @@ export const texts: Texts = {
   open: "開く",
   drawing: "{page} ページを描画中…",
   wait: "読み込み中…",
+  warnings: {
+    annotation: "{source}（ページ上の注釈）には表示できる外観がありません。",
+    chapter: "{source}（章）を表示できません。",
+    contents: "{source}（目次の行）の行き先がこの本にありません。",
+    embedded: "{source}（ページに埋め込まれたもの）がないか、そこに表示できません。",
+    font: "{source}（フォント）がないか、壊れています。別のフォントで表示します。",
+    image: "{source}（画像）がないか、表示できません。",
+    medium: "{source}（音声または動画）がないか、再生できません。",
+    note: "{source}（注）がないか、本文がありません。",
+    page: "{source}は本に含まれていますが、表示できるページではありません。",
+    style: "{source}（スタイルシート）がないか、読み込めません。",
+  },
   errors: {
     absent: "{source}が見つかりません。アドレスを確認して、もう一度開いてください。",
     blocked:

@@ -40,6 +40,16 @@ export class FilePaths {
     return null;
   }
 
+  /**
+   * Returns how a file is named that an address leads to, or would if the archive had it: by its path
+   * from the root. An address that leads out of the archive is its own name.
+   */
+  nameOf(address: string, from: string): string {
+    const path = address.trim().split(/[?#]/, 1)[0] ?? "";
+    if (withScheme.test(path)) return address.trim();
+    return this.resolve(address, from) ?? joined(decoded(path), from);
+  }
+
   #named(path: string): string | null {
     return this.#names.has(path) ? path : (this.#alike.get(folded(path)) ?? null);
   }

@@ -11,6 +11,7 @@ import { limits } from "../limits.ts";
 import { loadPart } from "../load_part.ts";
 import { BookError } from "../page_source.ts";
 import { trustedScript } from "../trusted_script.ts";
+import { scriptAddress } from "../worker_script.ts";
 import type { Archive } from "./archive.ts";
 import { marksLength, type Obstacle, obstacleIn } from "./archive_marks.ts";
 import { cleanPath } from "./names.ts";
@@ -74,8 +75,7 @@ export async function openUnpacked(
 
 function workerScript(): Promise<string> {
   script ??= import("worker:./unpacker/unpacker_worker.ts").then(async ({ default: packed }) => {
-    const code = await unpack(packed);
-    return URL.createObjectURL(new Blob([code], { type: "text/javascript" }));
+    return await scriptAddress(await unpack(packed));
   });
   script.catch(() => {
     script = undefined;

@@ -227,3 +227,23 @@ test("a ComicInfo.xml in which an element has no end is read", async () => {
     "rtl",
   ]);
 });
+
+test("what is packed with a comic's pages and is none is listed, a damaged page with its number", async () => {
+  const page = await scan(40, 60);
+  const source = await comic({
+    "1.png": page,
+    "2.jpg": "no picture",
+    "3.tif": "II*\0\u0008\0\0\0",
+    "4.pdf": "%PDF-1.7",
+    "more.zip": "x",
+    "ComicInfo.xml": "<ComicInfo><Title>A</Title></ComicInfo>",
+    "read me.txt": "x",
+  });
+  expect(source.pageCount).toBe(3);
+  expect(source.warnings?.map(({ code, source: about, page }) => [code, about, page])).toEqual([
+    ["page", "4.pdf", undefined],
+    ["page", "more.zip", undefined],
+    ["page", "2.jpg", 2],
+  ]);
+  expect(await messageOf(source.draw(2, 10, never))).toContain("(3.tif) is a TIFF");
+});

@@ -7,7 +7,8 @@ import { ImageSource } from "../images.ts";
 import { limits } from "../limits.ts";
 import type { ImagePage, StoredImage } from "../manifest.ts";
 import { BookError, type OutlineEntry, type PageSize, type PageSource } from "../page_source.ts";
-import { imageType, sniffLength } from "../sniff.ts";
+import { imageType, rareImageType, sniffLength } from "../sniff.ts";
+import { WarningList, warningOf } from "../warnings.ts";
 import { decodeXml } from "../xml_text.ts";
 import { type ComicInfo, noInfo, readComicInfo } from "./comic_info.ts";
 
@@ -18,6 +19,9 @@ const junk =
 
 /** Files that are no pages, whatever is in them. */
 const otherName = /\.(xml|txt|nfo|html?|json|md|db|ini|url|opf|ncx|css|js|sfv|acbf|zip|rar|7z)$/i;
+
+/** Archives within an archive, which may hold pages. */
+const packedName = /\.(zip|rar|7z|cb[zr7])$/i;
 
 /** The name of a front cover, which stands before its first page in any order of names. */
 const coverName = /^(front[ _.-]?)?cover([ _.-]?(front|0{0,3}1?))?$/i;
@@ -44,7 +48,8 @@ const [leastDouble, mostDouble] = [1.6, 2.5];
  */
 export async function openComic(archive: Archive, file: Blob, name: string): Promise<PageSource> {
   try {
-    const files = await pagesIn(archive);
+    const warnings = new WarningList();
+    const files = await pagesIn(archive, (path) => warnings.add(warningOf("page", path, name)));
     if (files.length === 0) {
       throw new BookError(`${name} is an archive with no book in it; open another.`, {
         code: "empty",
@@ -57,7 +62,9 @@ export async function openComic(archive: Archive, file: Blob, name: string): Pro
         { code: "tooLarge", source: name },
       );
     }
-    const info = await readInfo(archive);
+    const info = await readInfo(archive, (path) => {
+      warnings.add(warningOf("contents", path, name));
+    });
     const scans = coverFirst(await measureAll(archive, files, info));
     const ratio = usualRatio(scans);
     const pages = scans.flatMap((scan) => pagesOf(scan, info.direction, ratio));
@@ -74,6 +81,12 @@ export async function openComic(archive: Archive, file: Blob, name: string): Pro
       kind: "scan",
       pages: pages.map(({ page }) => page),
       outline: pages.flatMap(({ bookmark }, index) => lineOf(bookmark, index)),
+      warnings: [
+        ...warnings.all,
+        ...pages.flatMap(({ damaged }, index) =>
+          damaged === undefined ? [] : [{ ...warningOf("page", damaged, name), page: index + 1 }],
+        ),
+      ],
       file,
       close: () => archive.close(),
     });
@@ -83,16 +96,22 @@ export async function openComic(archive: Archive, file: Blob, name: string): Pro
   }
 }
 
-/** Returns the images in an archive, in the natural order of their paths. */
-async function pagesIn(archive: Archive): Promise<string[]> {
+/**
+ * Returns the images in an archive, in the natural order of their paths.
+ *
+ * @param leftOut called with each other file that is none of those beside images
+ */
+async function pagesIn(archive: Archive, leftOut: (path: string) => void): Promise<string[]> {
   const names = archive.names.filter((name) => !name.split("/").some((step) => junk.test(step)));
   const images = names.filter((name) => imageName.test(name));
   // Where names say nothing, the bytes do.
   const unnamed = names.filter((name) => !imageName.test(name) && !otherName.test(name));
   for (const name of unnamed.slice(0, limits.pages)) {
     const start = await archive.readStart(name, sniffLength).catch(() => null);
-    if (start !== null && imageType(start) !== null) images.push(name);
+    if (start !== null && (imageType(start) ?? rareImageType(start))) images.push(name);
+    else if (/\.[^./]+$/.test(name)) leftOut(name);
   }
+  for (const name of names) if (packedName.test(name)) leftOut(name);
   return inOrder(images);
 }
 
@@ -121,13 +140,14 @@ function coverFirst(scans: readonly Scan[]): readonly Scan[] {
 }
 
 /** Returns what the archive's ComicInfo.xml says; nothing if it has none that can be read. */
-async function readInfo(archive: Archive): Promise<ComicInfo> {
+async function readInfo(archive: Archive, damaged: (path: string) => void): Promise<ComicInfo> {
   const name = archive.names.find((path) => /^([^/]+\/)?ComicInfo\.xml$/i.test(path));
   if (name === undefined) return noInfo;
   try {
     return await readComicInfo(decodeXml(await archive.read(name, infoBytes)));
   } catch {
     // It is about the pages; without it they are still there.
+    damaged(name);
     return noInfo;
   }
 }
@@ -138,6 +158,8 @@ interface Scan {
   readonly image: StoredImage;
   /** Null if its header does not say. */
   readonly size: PageSize | null;
+  /** Whether its bytes are none of an image. */
+  readonly isDamaged: boolean;
   /** Whether ComicInfo.xml says that it is of two pages. */
   readonly double: boolean;
   readonly bookmark: string;
@@ -161,10 +183,12 @@ async function measureAll(
         name: cleanText(path, 80),
         read: async () => new Blob([await archive.read(path, limits.imageBytes)]),
       };
+      const start = await startOf(archive, path);
       scans[index] = {
         path,
         image,
-        size: await sizeOf(archive, path),
+        isDamaged: start === null || start.type === "",
+        size: start && (await sizeOf(start)),
         double: page?.double ?? false,
         bookmark: page?.bookmark ?? "",
         isCover: false,
@@ -175,15 +199,19 @@ async function measureAll(
   return scans.filter((scan) => scan !== undefined);
 }
 
-/** Returns an image's size by its header; null if that does not say, or is damaged. */
-async function sizeOf(archive: Archive, path: string): Promise<PageSize | null> {
+/** Returns the start of an image, of its type, "" for none; null if it cannot be read. */
+async function startOf(archive: Archive, path: string): Promise<Blob | null> {
   try {
-    const start = await typedImage(new Blob([await archive.readStart(path, headerLength)]));
-    const size = await sizeFromHeader(start);
-    return size && size.width > 0 && size.height > 0 ? size : null;
+    return await typedImage(new Blob([await archive.readStart(path, headerLength)]));
   } catch {
     return null;
   }
+}
+
+/** Returns an image's size by its header; null if that does not say, or is damaged. */
+async function sizeOf(start: Blob): Promise<PageSize | null> {
+  const size = await sizeFromHeader(start).catch(() => null);
+  return size && size.width > 0 && size.height > 0 ? size : null;
 }
 
 /** Returns the median of the scans' proportions, width over height. */
@@ -194,6 +222,8 @@ function usualRatio(scans: readonly Scan[]): number {
 
 interface Page {
   readonly page: ImagePage;
+  /** What is wrong with it, if anything is: its path. */
+  readonly damaged?: string;
   readonly bookmark: string;
 }
 
@@ -202,7 +232,10 @@ function pagesOf(scan: Scan, direction: "ltr" | "rtl", usual: number): Page[] {
   const { image: src, size, bookmark } = scan;
   const ratio = size ? size.width / size.height / usual : 1;
   const isDouble = (scan.double && ratio > 1) || (ratio > leastDouble && ratio < mostDouble);
-  if (!isDouble || scan.isCover) return [{ page: { src, ...(size ? { size } : {}) }, bookmark }];
+  if (!isDouble || scan.isCover) {
+    const damaged = scan.isDamaged ? { damaged: scan.path } : {};
+    return [{ page: { src, ...(size ? { size } : {}) }, bookmark, ...damaged }];
+  }
   const half = size ? { size: { width: size.width / 2, height: size.height } } : {};
   const [first, second] = direction === "rtl" ? [0.5, 0] : [0, 0.5];
   const part = (x: number) => ({ x, y: 0, width: 0.5, height: 1 });

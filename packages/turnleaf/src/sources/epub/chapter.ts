@@ -6,6 +6,7 @@ import { parseMarkup } from "../markup/parse_markup.ts";
 import { readMarkup } from "../markup/read_markup.ts";
 import type { PageSize } from "../page_source.ts";
 import { type FlowContent, styleAttribute } from "../typeset/flow_book.ts";
+import { naturalSize } from "../typeset/natural_size.ts";
 import type { EpubFiles } from "./epub_files.ts";
 
 /** The size of a page of fixed layout that does not say it. */
@@ -34,14 +35,17 @@ export interface Chapter {
  * Returns what is in a chapter. Rejects with a `BookError`.
  *
  * @param name the book's name in sentences
+ *
+ * @param usual the size that the book gives its pages of fixed layout, if it does
  */
 export async function loadChapter(
   files: EpubFiles,
   { href, mediaType, isFixed }: Chapter,
   name: string,
+  usual: PageSize | null = null,
 ): Promise<FlowContent> {
   const document = await parseChapter(files, href, mediaType, isFixed);
-  const named = isFixed ? fixedSize(document) : undefined;
+  const named = isFixed ? namedSize(document) : null;
   const what = `A chapter of ${name}`;
   const framed = async (address: string): Promise<FlowContent | null> => {
     const path = files.resolve(address.split("#", 1)[0] ?? "", href);
@@ -55,9 +59,10 @@ export async function loadChapter(
     return path !== null && isPlayed(files.typeOf(path));
   };
   const content = await cleanMarkup(document, { ...files.about(href), framed, plays }, what);
-  if (!named) return content;
+  if (!isFixed) return content;
   const own = pictureTypes.test(mediaType) ? await pictureSize(content.root) : null;
-  return { ...content, size: own ?? named };
+  const size = own ?? named ?? usual ?? (await naturalSize(content, usualSize));
+  return { ...content, size: size ?? usualSize };
 }
 
 /** Returns the size of the picture that a chapter is, in its pixels; null if it cannot be read. */
@@ -111,15 +116,13 @@ function noticeOf(document: Document, line: number | null, isFixed: boolean): El
   return notice;
 }
 
-/** Returns the size of a page of fixed layout: by its viewport, or that of its drawing. */
-function fixedSize(document: Document): PageSize {
-  const viewport = document.querySelector('meta[name="viewport"]')?.getAttribute("content") ?? "";
-  const number = (named: RegExp): number => Number.parseFloat(named.exec(viewport)?.[1] ?? "");
-  const named = {
-    width: number(/\bwidth\s*=\s*([\d.]+)/),
-    height: number(/\bheight\s*=\s*([\d.]+)/),
-  };
-  if (isPageSize(named)) return named;
+/** Returns the size that a page of fixed layout names: in its viewport or for its makers' readers, or as its drawing has it; null if it names none. */
+function namedSize(document: Document): PageSize | null {
+  for (const meta of document.querySelectorAll("meta[name][content]")) {
+    if (!/^(viewport|original-resolution)$/i.test(meta.getAttribute("name") ?? "")) continue;
+    const size = sizeIn(meta.getAttribute("content") ?? "");
+    if (size) return size;
+  }
   const svg = document.querySelector("svg");
   const [, , width = 0, height = 0] = (svg?.getAttribute("viewBox") ?? "")
     .split(/[\s,]+/)
@@ -129,5 +132,16 @@ function fixedSize(document: Document): PageSize {
     width: Number.parseFloat(svg?.getAttribute("width") ?? ""),
     height: Number.parseFloat(svg?.getAttribute("height") ?? ""),
   };
-  return isPageSize(own) ? own : usualSize;
+  return isPageSize(own) ? own : null;
+}
+
+/** Returns the size in a text such as "width=600, height=800" or "600x800"; null if there is none. */
+export function sizeIn(text: string): PageSize | null {
+  const number = (named: RegExp): number => Number.parseFloat(named.exec(text)?.[1] ?? "");
+  const [, across = "", down = ""] = /^\s*(\d{1,5})\s*[x×]\s*(\d{1,5})\s*$/i.exec(text) ?? [];
+  const size = {
+    width: Number(across) || number(/\bwidth\s*=\s*([\d.]+)/i),
+    height: Number(down) || number(/\bheight\s*=\s*([\d.]+)/i),
+  };
+  return isPageSize(size) ? size : null;
 }

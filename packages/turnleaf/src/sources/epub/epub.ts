@@ -10,7 +10,15 @@ import { limits } from "../limits.ts";
 import { loadPart } from "../load_part.ts";
 import { type MarkupType, parseMarkup } from "../markup/parse_markup.ts";
 import { readMarkup } from "../markup/read_markup.ts";
-import { type BookDetail, BookError, type PageSource, type Typography } from "../page_source.ts";
+import {
+  type BookDetail,
+  BookError,
+  type BookWarning,
+  type BookWarningCode,
+  type PageSize,
+  type PageSource,
+  type Typography,
+} from "../page_source.ts";
 import type {
   FlowBook,
   FlowContent,
@@ -21,7 +29,8 @@ import type {
 } from "../typeset/flow_book.ts";
 import { FlowSource } from "../typeset/flow_source.ts";
 import { isRightToLeft } from "../typeset/writing_direction.ts";
-import { loadChapter } from "./chapter.ts";
+import { warningOf } from "../warnings.ts";
+import { loadChapter, sizeIn } from "./chapter.ts";
 import { folderOfEpub, packageOf } from "./container.ts";
 import { EpubFiles } from "./epub_files.ts";
 import { NamedFiles } from "./named_files.ts";
@@ -163,11 +172,15 @@ async function readEpub(archive: Archive, file: Blob, name: string): Promise<Flo
     throw new BookError(sentence, { code: "empty", source: name });
   }
   const rolls = rollsOf(ordered);
+  const usualSize = usualSizeOf(resources.opf);
   const sections = ordered.map((chapter, index): FlowSection => {
     const { href, missing, isFixed, side } = chapter;
     const load = async (): Promise<FlowContent> => {
-      if (missing !== "") throw new BookError(missing, { code: "partMissing", source: name });
-      return await loadChapter(files, chapter, name);
+      if (missing !== "") {
+        const code = names.has(href) ? "unsupported" : "damaged";
+        throw new BookError(missing, { code, source: cleanText(href) || chapter.id });
+      }
+      return await loadChapter(files, chapter, name, usualSize);
     };
     const roll = rolls[index];
     const where = { ...(side ? { side } : {}), ...(roll === undefined ? {} : { roll }) };
@@ -218,11 +231,11 @@ async function readEpub(archive: Archive, file: Blob, name: string): Promise<Flo
     recording: (path) => readMedium(path, /^audio\//),
   });
   const outline = (items: readonly TocItem[] | null | undefined): FlowOutline[] =>
-    (items ?? []).map(({ label, href, subitems }) => ({
-      title: cleanText(label) || "–",
-      target: href ? targetOfMark(href) : null,
-      children: outline(subitems),
-    }));
+    (items ?? []).map(({ label, href, subitems }) => {
+      const target = href ? targetOfMark(href) : null;
+      const isLost = Boolean(href) && target === null;
+      return { title: cleanText(label) || "–", target, isLost, children: outline(subitems) };
+    });
   return {
     name,
     title: cleanText(textOf(metadata.title)) || name,
@@ -235,6 +248,9 @@ async function readEpub(archive: Archive, file: Blob, name: string): Promise<Flo
     details: creatorsOf(resources.opf),
     sections,
     outline: outline(toc),
+    warnings: listed
+      .filter(({ href }) => !names.has(href))
+      .flatMap((item) => missingFile(item, paths.nameOf(item.href, packagePath), name)),
     // A book may be by anybody, and was not found by following links.
     asksToLeave: true,
     ...(overlays.length > 0 ? { narration: narration() } : {}),
@@ -265,6 +281,20 @@ function missingChapter(
   if (!names.has(item.href)) return `${what}, a chapter of ${name}, is missing in it; ${about}`;
   return `${what}, a chapter of ${name}, is of a type that is not read (${cleanText(item.mediaType)}); ${about}`;
 }
+
+/** Returns a warning of a file that a manifest lists and the archive does not have, if it is to be seen or heard. */
+function missingFile({ mediaType }: ManifestItem, path: string, name: string): BookWarning[] {
+  const code = warningCodes.find(([type]) => type.test(mediaType))?.[1];
+  return code === undefined ? [] : [warningOf(code, path, name)];
+}
+
+/** The codes of warnings by the media types of files. Chapters say themselves that they are missing. */
+const warningCodes: readonly (readonly [type: RegExp, code: BookWarningCode])[] = [
+  [/^image\//i, "image"],
+  [/^(audio|video)\/|^application\/smil/i, "medium"],
+  [/^text\/css$/i, "style"],
+  [/^font\/|font|opentype/i, "font"],
+];
 
 /** A book's manifest by the ids of its items. */
 interface Manifest {
@@ -327,6 +357,17 @@ function overlayClassesOf(opf: Document): Pick<FlowNarration, "activeClass" | "p
     return /^\s*(\S{1,100})\s*$/.exec(meta?.textContent ?? "")?.[1] ?? "";
   };
   return { activeClass: named("active-class"), playbackClass: named("playback-active-class") };
+}
+
+/** Returns the size that a package gives pages of fixed layout that name none; null if it gives none. */
+function usualSizeOf(opf: Document): PageSize | null {
+  for (const meta of opf.getElementsByTagNameNS("*", "meta")) {
+    const name = meta.getAttribute("property") ?? meta.getAttribute("name") ?? "";
+    if (!/^(rendition:viewport|original-resolution)$/i.test(name)) continue;
+    const size = sizeIn(meta.getAttribute("content") ?? meta.textContent ?? "");
+    if (size) return size;
+  }
+  return null;
 }
 
 /** Returns who made a book, in the package's order. */

@@ -79,8 +79,11 @@ export class EpubFiles {
       },
       style: async (address) => {
         const target = this.resolve(address, path);
-        return target === null ? [] : await this.#styles(target, importDepth);
+        return target === null
+          ? [unreadable(this.#paths.nameOf(address, path))]
+          : await this.#styles(target, importDepth);
       },
+      nameOf: (address) => this.#paths.nameOf(address, path),
     };
   }
 
@@ -117,11 +120,17 @@ export class EpubFiles {
   #styles(path: string, depth: number): Promise<readonly CleanSheet[]> {
     return this.#keptStyles.get(`${path} ${depth}`, async () => {
       if (depth === 0) return [];
-      const css = await this.text(path).catch(() => "");
+      const css = await this.text(path).catch(() => null);
+      if (css === null) return [unreadable(path)];
       const imports = new Map<string, string>();
+      const missing: CleanSheet[] = [];
       for (const [, double, single, behind, bare, after] of css.matchAll(importRule)) {
         const target = this.resolve(double ?? single ?? bare ?? "", path);
-        if (target === null) continue;
+        if (target === null) {
+          if (missing.length < limits.warnings)
+            missing.push(unreadable(this.#paths.nameOf(double ?? single ?? bare ?? "", path)));
+          continue;
+        }
         // Of several imports of one sheet the last one counts.
         imports.delete(target);
         imports.set(target, (behind ?? after ?? "").replace(importCondition, "").trim());
@@ -133,8 +142,14 @@ export class EpubFiles {
             async () =>
               inMedia(await this.#styles(target, depth - 1), media),
         ),
-        async () => [await cleanCss(css, (address) => files.data(address))],
+        async () => missing,
+        async () => [await cleanCss(css, (address) => files.data(address), files.nameOf)],
       ]);
     });
   }
+}
+
+/** Returns what stands for a style sheet that cannot be read. */
+function unreadable(source: string): CleanSheet {
+  return { namespaces: "", rules: "", lost: [{ code: "style", source }] };
 }

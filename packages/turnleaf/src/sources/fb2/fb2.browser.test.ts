@@ -46,7 +46,7 @@ test("a FictionBook has its cover, text, contents, notes, links, pictures and au
   ]);
   const links = await source.links?.(2, never);
   expect(links?.map(({ to, note }) => [to, note])).toEqual([
-    [{ page: 5 }, "1A name."],
+    [{ page: 5 }, "1\nA name."],
     [{ page: 4 }, undefined],
     [{ href: "https://example.com/" }, undefined],
   ]);

@@ -10,7 +10,7 @@ import { objectsIn, plain, stringsIn, typeOf, type Value } from "./values.ts";
 export function textOn(page: CanvasPage, lists: readonly Value[]): TextRun[] {
   const runs: TextRun[] = [];
   let letters = 0;
-  for (const annotation of lists.flatMap((list) => objectsIn(list.items ?? list.resources ?? []))) {
+  for (const annotation of lists.flatMap((list) => objectsIn(annotationsIn(list) ?? []))) {
     const box = targetBox(annotation.target ?? annotation.on, page.canvas);
     const text = isTranscript(annotation) ? textOf(annotation) : "";
     const { part } = page;
@@ -21,6 +21,11 @@ export function textOn(page: CanvasPage, lists: readonly Value[]): TextRun[] {
     runs.push({ ...box, x: box.x - part.x, y: box.y - part.y, text, angle: 0, end: true });
   }
   return runs;
+}
+
+/** Returns the annotations in a page of them; undefined if it is known by its address alone. */
+export function annotationsIn(list: Value): unknown {
+  return list.items ?? list.resources;
 }
 
 /** Returns whether an annotation says what stands on the canvas, rather than something about it. */

@@ -6,6 +6,7 @@ import { fitPixels, limits, wholePage } from "../limits.ts";
 import {
   type BookDetail,
   BookError,
+  type BookWarning,
   type OutlineEntry,
   type PageBox,
   type PagePicture,
@@ -14,19 +15,27 @@ import {
   type TextRun,
 } from "../page_source.ts";
 import { SharedTasks } from "../shared_tasks.ts";
-import { textOn } from "./annotations.ts";
+import { lostLines, WarningList, warningOf } from "../warnings.ts";
+import { annotationsIn, textOn } from "./annotations.ts";
 import { type ImageInfo, parseInfo, partsFor, sharpestWidth } from "./image_service.ts";
 import {
   type CanvasPage,
+  elsewhere,
   type PaintedImage,
   type PresentedBook,
   parsePresentation,
+  wholeCanvas,
 } from "./presentation.ts";
-import { addressOf, type Value } from "./values.ts";
+import { addressOf, idOf, type Value } from "./values.ts";
 
 /** Images kept as they came, and requests of one page under way at a time. */
 const keptImages = 40;
 const atOnce = 6;
+
+/** Pages of annotations that follow each other, of which each may hold some thousand. */
+const mostLists = 20;
+
+const never = new AbortController().signal;
 
 /**
  * Returns the book that a manifest of IIIF describes. Throws a `BookError` if
@@ -51,6 +60,9 @@ class IiifSource implements PageSource {
   readonly kind = "scan";
   readonly pageCount: number;
   readonly #book: PresentedBook;
+  /** Its pages, as far as they are read. */
+  readonly #pages: CanvasPage[];
+  readonly #warnings = new WarningList();
   readonly #infos = new Map<string, ImageInfo>();
   readonly #images = new Map<string, Blob>();
   readonly #fetching = new SharedTasks<string, Blob>();
@@ -64,10 +76,23 @@ class IiifSource implements PageSource {
     this.details = details;
     this.pageCount = pages.length;
     this.#book = book;
+    this.#pages = [...pages];
+    this.#warnings.add(...lostLines(book.outline, book.name), ...pages.flatMap(this.#othersOn));
   }
 
-  async size(index: number): Promise<PageSize> {
-    const { width, height } = this.#page(index).part;
+  get warnings(): readonly BookWarning[] {
+    return this.#warnings.all;
+  }
+
+  watchWarnings(listener: () => void): void {
+    this.#warnings.watch(listener);
+  }
+
+  async size(index: number, signal: AbortSignal = never): Promise<PageSize> {
+    // A page whose parts cannot be had says so where it is drawn.
+    const page = await this.#whole(index, signal).catch(() => this.#page(index));
+    signal.throwIfAborted();
+    const { width, height } = page.part;
     return { width, height };
   }
 
@@ -91,17 +116,22 @@ class IiifSource implements PageSource {
     region: PageBox = wholePage,
   ): Promise<PagePicture> {
     signal.throwIfAborted();
-    const page = this.#page(index);
-    const { part } = page;
+    const page = await this.#whole(index, signal);
+    const { part, images: painted, others } = page;
+    const [other] = others;
+    if (painted.length === 0 && other !== undefined) {
+      throw new BookError(
+        `${this.#place(index)} has no image but what cannot be shown on paper (${other}); turn to another.`,
+        { code: "unsupported", page: index + 1, source: this.#book.name },
+      );
+    }
     const box = {
       x: part.x + region.x * part.width,
       y: part.y + region.y * part.height,
       width: region.width * part.width,
       height: region.height * part.height,
     };
-    const images = await Promise.all(
-      page.images.map((image) => this.#measured(index, image, signal)),
-    );
+    const images = await Promise.all(painted.map((image) => this.#measured(index, image, signal)));
     const sharpest = Math.max(...images.map(({ density }) => density * box.width), 1);
     const pixels = fitPixels(box, images.length > 0 ? Math.min(width, sharpest) : width);
     const canvas = new OffscreenCanvas(pixels.width, pixels.height);
@@ -116,11 +146,11 @@ class IiifSource implements PageSource {
 
   async text(index: number, signal: AbortSignal): Promise<readonly TextRun[]> {
     signal.throwIfAborted();
-    const page = this.#page(index);
+    const page = await this.#whole(index, signal);
     const lists = await Promise.all(
       page.annotations.map((list) => this.#annotations(index, list, signal)),
     );
-    return textOn(page, lists);
+    return textOn(page, lists.flat());
   }
 
   async outline(): Promise<readonly OutlineEntry[]> {
@@ -134,8 +164,44 @@ class IiifSource implements PageSource {
     this.#fetching.abortAll();
   }
 
+  /** Returns a page once all that is painted on it is known, and its size. Rejects as `draw` does. */
+  async #whole(index: number, signal: AbortSignal): Promise<CanvasPage> {
+    const page = this.#page(index);
+    const { unread } = page;
+    if (!unread) return page;
+    const { canvas, half, read } = unread;
+    const fetched = new Map<string, Value>();
+    for (const part of elsewhere(canvas)) {
+      const url = addressOf(part, this.#book.base);
+      if (url === "") continue;
+      const blob = await this.#fetch(index, url, limits.manifestBytes, signal);
+      fetched.set(idOf(part), Object(jsonIn(await blob.text())) as Value);
+    }
+    let now = read(wholeCanvas(canvas, fetched))[half] ?? page;
+    const [image] = now.images;
+    if (now.unread && image) {
+      const { pixels } = await this.#sizeOf(index, image, signal);
+      const size = image.crop ?? pixels;
+      const upright = image.turns % 2 === 0 ? size : { width: size.height, height: size.width };
+      now = read(wholeCanvas(canvas, fetched, upright))[half] ?? now;
+    }
+    const { unread: _, ...whole } = now;
+    this.#check(index, signal);
+    this.#pages[index] = whole;
+    this.#warnings.add(...this.#othersOn(whole, index));
+    return whole;
+  }
+
+  /** Returns warnings of what is painted on a page beside its images. */
+  readonly #othersOn = ({ images, others }: CanvasPage, index: number): BookWarning[] =>
+    others.map((other) => {
+      const code = images.length === 0 ? "page" : "embedded";
+      const about = `${this.label(index)} (${other})`;
+      return { ...warningOf(code, about, this.#book.name), page: index + 1 };
+    });
+
   #page(index: number): CanvasPage {
-    const page = this.#book.pages[index];
+    const page = this.#pages[index];
     if (this.#closed || !page) {
       throw new BookError(`${this.#book.name} has no page ${index + 1} any more; open it again.`, {
         code: "noPage",
@@ -156,16 +222,21 @@ class IiifSource implements PageSource {
 
   /** Returns an image with its size, and how many of its pixels there are for a unit of the canvas. */
   async #measured(index: number, image: PaintedImage, signal: AbortSignal): Promise<MeasuredImage> {
+    const { info, pixels } = await this.#sizeOf(index, image, signal);
+    const crop = within(image.crop, pixels);
+    const sharpest = info ? sharpestWidth(info) / info.width : 1;
+    return { ...image, info, crop, density: (sharpest * crop.width) / upright(image).width };
+  }
+
+  /** Returns an image's own size, and what its service says of it, if it has one. */
+  async #sizeOf(
+    index: number,
+    image: PaintedImage,
+    signal: AbortSignal,
+  ): Promise<{ readonly info: ImageInfo | null; readonly pixels: PageSize }> {
     const info = image.service ? await this.#info(index, image, signal) : null;
-    if (info) {
-      const crop = within(image.crop, info);
-      const density = ((sharpestWidth(info) / info.width) * crop.width) / upright(image).width;
-      return { ...image, info, crop, density };
-    }
-    const blob = await this.#image(index, image.src, signal);
-    const size = await this.#pixels(index, blob);
-    const crop = within(image.crop, size);
-    return { ...image, info: null, crop, density: crop.width / upright(image).width };
+    if (info) return { info, pixels: info };
+    return { info, pixels: await this.#pixels(index, await this.#image(index, image.src, signal)) };
   }
 
   /** Returns what a service says of its image; null if the image is shown without it. */
@@ -304,10 +375,25 @@ class IiifSource implements PageSource {
     );
   }
 
-  /** Returns a page of annotations, fetched if need be; nothing if it cannot be had. */
-  async #annotations(index: number, list: Value, signal: AbortSignal): Promise<Value> {
-    if (list.items ?? list.resources) return list;
-    const url = addressOf(list, this.#book.base);
+  /**
+   * Returns a page of annotations, fetched if need be, and those that follow it; nothing if it cannot be
+   * had.
+   */
+  async #annotations(index: number, list: Value, signal: AbortSignal): Promise<readonly Value[]> {
+    const lists: Value[] = [];
+    let next: unknown = list;
+    while (next && lists.length < mostLists) {
+      const url = addressOf(next, this.#book.base);
+      const here = Object(next) as Value;
+      const page = annotationsIn(here) ? here : await this.#list(index, url, signal);
+      lists.push(page);
+      next = page.first ?? page.next;
+    }
+    return lists;
+  }
+
+  /** Returns a list of annotations at an address; nothing if it cannot be had. */
+  async #list(index: number, url: string, signal: AbortSignal): Promise<Value> {
     if (url === "") return {};
     try {
       const blob = await this.#fetch(index, url, limits.manifestBytes, signal);
@@ -315,6 +401,8 @@ class IiifSource implements PageSource {
     } catch {
       // The page is shown without it.
       signal.throwIfAborted();
+      const warning = warningOf("annotation", url, this.#book.name);
+      this.#warnings.add({ ...warning, page: index + 1 });
       return {};
     }
   }

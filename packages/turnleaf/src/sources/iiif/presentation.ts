@@ -19,6 +19,7 @@ import {
   idOf,
   lengthOf,
   objectsIn,
+  referencesIn,
   stringsIn,
   textIn,
   typeOf,
@@ -47,8 +48,21 @@ export interface CanvasPage {
   readonly label: string;
   readonly inSpread?: "first" | "second" | "alone";
   readonly images: readonly PaintedImage[];
+  /** The types of what else is painted on it, such as "Video". */
+  readonly others: readonly string[];
   /** Pages of annotations, here or by their address. */
   readonly annotations: readonly Value[];
+  /** Reads it anew once its canvas is whole; absent if it is. */
+  readonly unread?: UnreadCanvas;
+}
+
+/** A canvas some of whose parts are known by their addresses alone, or whose size is not known. */
+export interface UnreadCanvas {
+  readonly canvas: Value;
+  /** Which of its pages this is, from 0. */
+  readonly half: number;
+  /** Returns its pages. */
+  read(canvas: Value): readonly CanvasPage[];
 }
 
 /** A manifest, checked. */
@@ -75,6 +89,14 @@ const mostDetails = 40;
 
 /** Size of a canvas that has none. */
 const usualSize: PageSize = { width: 1000, height: 1414 };
+
+/** The context of what was IIIF's Metadata API, the first version of Presentation. */
+const version1 = /shared-canvas\.org\/ns\/context|iiif\.io\/api\/presentation\/1\b/;
+
+/** Returns whether a manifest is of Presentation 1, whose canvases are as those of version 2. */
+function isOfVersion1(value: Value): boolean {
+  return stringsIn(value["@context"]).some((one) => version1.test(one));
+}
 
 /** How a manifest is read. */
 interface Reading {
@@ -116,6 +138,12 @@ export function parsePresentation(
     );
   }
   const canvases = objectsIn(listed ?? []);
+  if (canvases.length === 0 && isOfVersion1(value)) {
+    throw new BookError(
+      `${name} is of version 1 of IIIF's Presentation API, and lists no pages as that has them; ask its owner for one of version 2 or 3.`,
+      { code: "unsupported", source: name },
+    );
+  }
   if (canvases.length === 0)
     throw new BookError(`${name} lists no pages; open another book.`, {
       code: "empty",
@@ -209,29 +237,56 @@ function readCanvas(
     ...objectsIn(canvas.images ?? [], mostImages),
   ].slice(0, mostImages);
   const [first] = images.map(resourceOf);
-  const size = sizeOf(canvas) ?? (first && sizeOf(first)) ?? usualSize;
+  const named = sizeOf(canvas) ?? (first ? sizeOf(first) : null);
+  const size = named ?? usualSize;
+  const painted = images.map((image) => readImage(image, size, reading));
+  const isWhole = (named !== null || images.length === 0) && elsewhere(canvas).length === 0;
+  const read = (whole: Value): CanvasPage[] => readCanvas(whole, index, isReversed, reading);
+  const unread = (half: number) => (isWhole ? {} : { unread: { canvas, half, read } });
   const page = {
     canvas: size,
     part: { x: 0, y: 0, ...size },
     label:
       cleanText(textIn(canvas.label, reading.languages), limits.labelLength) || String(index + 1),
-    images: images.flatMap((image) => readImage(image, size, reading)),
+    images: painted.filter((image) => typeof image !== "string"),
+    others: painted.filter((image) => typeof image === "string"),
     annotations: [
-      ...objectsIn(canvas.annotations ?? [], mostLists),
-      ...objectsIn(canvas.otherContent ?? [], mostLists),
+      ...referencesIn(canvas.annotations ?? [], mostLists),
+      ...referencesIn(canvas.otherContent ?? [], mostLists),
     ],
   };
   const behaviors = behaviorsOf(canvas);
-  if (behaviors.includes("non-paged")) return [{ ...page, inSpread: "alone" }];
-  if (!behaviors.includes("facing-pages")) return [page];
+  if (behaviors.includes("non-paged")) return [{ ...page, ...unread(0), inSpread: "alone" }];
+  if (!behaviors.includes("facing-pages")) return [{ ...page, ...unread(0) }];
   const half = { ...page.part, width: size.width / 2 };
   const left = { ...page, part: half };
   const right = { ...page, part: { ...half, x: size.width / 2 } };
   const [one, two] = isReversed ? [right, left] : [left, right];
   return [
-    { ...one, inSpread: "first" },
-    { ...two, inSpread: "second" },
+    { ...one, ...unread(0), inSpread: "first" },
+    { ...two, ...unread(1), inSpread: "second" },
   ];
+}
+
+/** Returns what is painted on a canvas and known by its address alone: pages of annotations, or annotations. */
+export function elsewhere(canvas: Value): Value[] {
+  const listed = (list: unknown): Value[] =>
+    Array.isArray(list) ? referencesIn(list, mostImages) : [];
+  const pages = listed(canvas.items).filter(({ items }) => !items);
+  const images = listed(canvas.images).filter(({ resource }) => !resource);
+  return [...pages, ...images].filter((one) => idOf(one) !== "");
+}
+
+/** Returns a canvas with such parts as they were fetched, and of the size of an image if it has none. */
+export function wholeCanvas(
+  canvas: Value,
+  fetched: ReadonlyMap<string, Value>,
+  size: PageSize | null = null,
+): Value {
+  const whole = (list: unknown): Value[] =>
+    referencesIn(list ?? [], mostImages).map((one) => fetched.get(idOf(one)) ?? one);
+  const { width, height } = sizeOf(canvas) ?? size ?? {};
+  return { ...canvas, items: whole(canvas.items), images: whole(canvas.images), width, height };
 }
 
 function sizeOf(value: Value): PageSize | null {
@@ -241,35 +296,33 @@ function sizeOf(value: Value): PageSize | null {
 
 /** Returns what an annotation paints: of a choice, the first. */
 function resourceOf(annotation: Value): Value {
-  const [body = {}] = objectsIn(annotation.body ?? annotation.resource ?? [], 1);
+  const [body = {}] = referencesIn(annotation.body ?? annotation.resource ?? [], 1);
   const [chosen = {}] =
-    typeOf(body) === "Choice" ? objectsIn(body.default ?? body.items, 1) : [body];
+    typeOf(body) === "Choice" ? referencesIn(body.default ?? body.items, 1) : [body];
   return chosen;
 }
 
-function readImage(annotation: Value, size: PageSize, { base }: Reading): PaintedImage[] {
+/** Returns the image that an annotation paints; the type of what it paints if that is none. */
+function readImage(annotation: Value, size: PageSize, { base }: Reading): PaintedImage | string {
   const resource = resourceOf(annotation);
-  const [source = {}] = objectsIn(resource.source ?? resource.full ?? resource, 1);
+  const [source = {}] = referencesIn(resource.source ?? resource.full ?? resource, 1);
   const [selector] = objectsIn(resource.selector ?? [], 1);
   const service = addressOf(serviceOf(source) || serviceOf(resource), base);
   const src = addressOf(source, base);
-  if (
-    typeOf(source) !== "Image" &&
-    service === "" &&
-    !/\.(jpe?g|png|gif|webp|avif|svg)$/i.test(src)
-  ) {
-    return [];
-  }
+  const [format = ""] = stringsIn(source.format);
+  const isImage =
+    typeOf(source) === "Image" ||
+    format.startsWith("image/") ||
+    /\.(jpe?g|png|gif|webp|avif|svg)([?#]|$)/i.test(src);
+  if (service === "" && !isImage) return cleanText(typeOf(source)) || cleanText(format) || src;
   const region = selector ? `xywh=${stringsIn(selector.region)[0] ?? ""}` : src;
-  return [
-    {
-      src,
-      service: service.replace(/\/$/, ""),
-      crop: boxIn(region, limits.pageSide, limits.pageSide),
-      turns: turnsOf(selector?.rotation),
-      on: targetBox(annotation.target ?? annotation.on, size) ?? { x: 0, y: 0, ...size },
-    },
-  ];
+  return {
+    src,
+    service: service.replace(/\/$/, ""),
+    crop: boxIn(region, limits.pageSide, limits.pageSide),
+    turns: turnsOf(selector?.rotation),
+    on: targetBox(annotation.target ?? annotation.on, size) ?? { x: 0, y: 0, ...size },
+  };
 }
 
 /** Returns the quarters of a rotation in degrees; 0 for other angles and mirrored images. */

@@ -20,6 +20,15 @@ export function objectsIn(value: unknown, most: number = limits.pages): Value[] 
   return list.slice(0, most).filter(isRecord);
 }
 
+/** Returns the objects in a list, or a single one; a string is the address of one. */
+export function referencesIn(value: unknown, most: number): Value[] {
+  const list = Array.isArray(value) ? value : [value];
+  return list
+    .slice(0, most)
+    .map((one) => (typeof one === "string" ? { id: one } : one))
+    .filter(isRecord);
+}
+
 /** Returns the strings in a list, or a single one. */
 export function stringsIn(value: unknown): string[] {
   const list = Array.isArray(value) ? value.slice(0, 100) : [value];

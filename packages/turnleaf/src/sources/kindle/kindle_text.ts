@@ -47,7 +47,8 @@ export function outlineOf(
     lines.push(children);
     const parent = numbers(21)[0];
     const title = plainText(text(numbers(3)[0])) || "–";
-    const line = { title, target: targetOf(numbers), children };
+    const target = targetOf(numbers);
+    const line = { title, target, isLost: target === null, children };
     // Parents come before their children, so that there is no circle.
     const siblings = parent === undefined || parent >= index ? roots : (lines[parent] ?? roots);
     siblings.push(line);

@@ -1,6 +1,7 @@
 /** Style sheets of books: what could fetch anything is taken out or put in as data. */
 
 import { limits } from "../limits.ts";
+import type { LostPart } from "../typeset/flow_book.ts";
 import { pagedValue } from "./paged_css.ts";
 import { withoutPrefixes } from "./prefixed_css.ts";
 
@@ -22,25 +23,48 @@ const dataAddress = /url\("data:[^"]*"\)/g;
 /** Returns the data of an address of a style sheet, null if there are none. */
 export type ResolveCss = (address: string) => Promise<string | null>;
 
+/** How the addresses of a style sheet are resolved: those of fonts may be alternatives of one. */
+interface Resolvers {
+  readonly font: ResolveCss;
+  readonly picture: ResolveCss;
+}
+
 /** A clean style sheet. */
 export interface CleanSheet {
   /** Its prefixes of namespaces, which stand before all rules. */
   readonly namespaces: string;
   readonly rules: string;
+  /** What it names and cannot be shown, or it itself if it cannot be read. */
+  readonly lost?: readonly LostPart[];
 }
 
 /**
  * Returns a style sheet as the browser understands it, its addresses replaced
  * by data. What cannot be replaced is left out, and so are imports: these are
  * resolved before.
+ *
+ * @param nameOf returns how a warning names the file at an address
  */
-export async function cleanCss(css: string, resolve: ResolveCss): Promise<CleanSheet> {
+export async function cleanCss(
+  css: string,
+  resolve: ResolveCss,
+  nameOf: (address: string) => string = (address) => address,
+): Promise<CleanSheet> {
   const sheet = new CSSStyleSheet();
   sheet.replaceSync(withoutPrefixes(css));
   const namespaces = [...sheet.cssRules].filter((rule) => rule instanceof CSSNamespaceRule);
+  const lost: LostPart[] = [];
+  const picture: ResolveCss = async (address) => {
+    const data = await resolve(address);
+    if (data === null && lost.length < limits.warnings) {
+      lost.push({ code: "image", source: nameOf(address) });
+    }
+    return data;
+  };
   return {
     namespaces: namespaces.map((rule) => rule.cssText).join("\n"),
-    rules: await cleanRules(sheet.cssRules, resolve),
+    rules: await cleanRules(sheet.cssRules, { font: resolve, picture }),
+    lost,
   };
 }
 
@@ -50,10 +74,7 @@ export function inMedia(sheets: readonly CleanSheet[], media: string): readonly 
   if (mediaText === "") return sheets;
   // What a browser keeps though it does not know it could end the rule, or a string in it.
   const known = /["'{};\\]/.test(mediaText) ? "not all" : mediaText;
-  return sheets.map(({ namespaces, rules }) => ({
-    namespaces,
-    rules: `@media ${known} { ${rules} }`,
-  }));
+  return sheets.map((sheet) => ({ ...sheet, rules: `@media ${known} { ${sheet.rules} }` }));
 }
 
 /**
@@ -125,31 +146,31 @@ export async function cleanAttribute(
   return parsed === "" ? null : await cleanValue(parsed, resolve);
 }
 
-async function cleanRules(rules: CSSRuleList, resolve: ResolveCss): Promise<string> {
+async function cleanRules(rules: CSSRuleList, files: Resolvers): Promise<string> {
   const kept: string[] = [];
-  for (const rule of rules) kept.push(await cleanRule(rule, resolve));
+  for (const rule of rules) kept.push(await cleanRule(rule, files));
   return kept.filter((rule) => rule !== "").join("\n");
 }
 
-async function cleanRule(rule: CSSRule, resolve: ResolveCss): Promise<string> {
+async function cleanRule(rule: CSSRule, files: Resolvers): Promise<string> {
   if (rule instanceof CSSStyleRule) {
     const selector = rule.selectorText.replace(/:root\b/g, "html");
-    const nested = await cleanRules(rule.cssRules ?? [], resolve);
-    return `${selector} { ${await cleanDeclarations(rule.style, resolve)} ${nested} }`;
+    const nested = await cleanRules(rule.cssRules ?? [], files);
+    return `${selector} { ${await cleanDeclarations(rule.style, files.picture)} ${nested} }`;
   }
   if (rule instanceof CSSFontFaceRule) {
-    const text = await cleanDeclarations(rule.style, resolve);
+    const text = await cleanDeclarations(rule.style, files.font);
     return text.includes("src:") ? `@font-face { ${text} }` : "";
   }
   if (rule instanceof CSSMediaRule) {
-    return `@media ${rule.conditionText} { ${await cleanRules(rule.cssRules, resolve)} }`;
+    return `@media ${rule.conditionText} { ${await cleanRules(rule.cssRules, files)} }`;
   }
   if (rule instanceof CSSSupportsRule) {
-    return `@supports ${rule.conditionText} { ${await cleanRules(rule.cssRules, resolve)} }`;
+    return `@supports ${rule.conditionText} { ${await cleanRules(rule.cssRules, files)} }`;
   }
   if (rule instanceof CSSLayerBlockRule) {
     const name = layerName.test(rule.name) ? rule.name : "";
-    return `@layer ${name} { ${await cleanRules(rule.cssRules, resolve)} }`;
+    return `@layer ${name} { ${await cleanRules(rule.cssRules, files)} }`;
   }
   if (rule instanceof CSSLayerStatementRule) {
     return rule.nameList.every((name) => layerName.test(name)) ? rule.cssText : "";

@@ -7,8 +7,11 @@ import { BookError } from "../page_source.ts";
 import { trustPolicy } from "../trusted_script.ts";
 import {
   type FlowContent,
+  type LostPart,
+  lostAttribute,
   mediumAttribute,
   mediumKindAttribute,
+  sourceAttribute,
   styleAttribute,
 } from "../typeset/flow_book.ts";
 import {
@@ -19,8 +22,10 @@ import {
   cssOf,
   inMedia,
   mayLoad,
+  type ResolveCss,
   readSheets,
 } from "./clean_css.ts";
+import { prepareFormula } from "./formulas.ts";
 import { framePicture, frameSize } from "./frame_picture.ts";
 import { withoutPrefixes } from "./prefixed_css.ts";
 import { isXmlAttribute } from "./xml.ts";
@@ -31,6 +36,8 @@ export interface MarkupFiles {
   data(address: string): Promise<string | null>;
   /** Returns a style sheet, already clean, after those that it imports; empty if there is none. */
   style(address: string): Promise<readonly CleanSheet[]>;
+  /** Returns how a warning names the file at an address. The default is the address. */
+  nameOf?(address: string): string;
   /** Returns whether the browser plays a sound or a film of the book. The default is false. */
   plays?(address: string): boolean;
   /** Returns the document in a frame, already clean; null if there is none. */
@@ -76,12 +83,27 @@ export async function cleanMarkup(
     });
   }
   const root = inHtml(document);
-  const styles = (await stylesOf(document, files)).map(cssOf);
+  const sheets = await stylesOf(document, files);
+  const styles = sheets.map(cssOf);
+  const lost = sheets.flatMap((sheet) => sheet.lost ?? []);
+  const picture = async (address: string): Promise<string | null> => {
+    const data = await files.data(address);
+    const source = files.nameOf?.(address) ?? address;
+    if (data === null && lost.length < limits.warnings) lost.push({ code: "image", source });
+    return data;
+  };
+  // Nothing on paper opens them.
+  for (const one of root.querySelectorAll("details")) one.setAttribute("open", "");
   for (const one of root.querySelectorAll("*|switch")) one.querySelector("*|case")?.remove();
+  for (const math of root.querySelectorAll("math:not(math math)")) prepareFormula(math);
   for (const medium of root.querySelectorAll("audio, video")) placeOf(medium, files);
   for (const object of root.querySelectorAll("object")) await pictureOf(object, files);
   for (const frame of [...root.querySelectorAll("iframe")].slice(0, mostFrames)) {
     await drawFrame(frame, files);
+  }
+  for (const element of root.querySelectorAll("iframe, frame, embed")) {
+    const address = element.getAttribute("src") ?? "";
+    if (address !== "") element.before(placeOfLost(element, "embedded", address, files));
   }
   for (const element of root.querySelectorAll(unshown)) element.remove();
   await inlinePictures(root, files);
@@ -91,12 +113,12 @@ export async function cleanMarkup(
     const language = element.getAttribute("xml:lang");
     if (language !== null && !element.hasAttribute("lang")) element.setAttribute("lang", language);
     element.removeAttribute("style");
-    if (element.hasAttribute(styleAttribute)) await cleanStyle(element, files);
+    if (element.hasAttribute(styleAttribute)) await cleanStyle(element, picture);
     for (const attribute of [...element.attributes]) {
       if (!isXmlAttribute(attribute)) element.removeAttributeNode(attribute);
     }
     for (const attribute of [...element.attributes].filter(mayLoad)) {
-      const clean = await cleanAttribute(attribute, (to) => files.data(to));
+      const clean = await cleanAttribute(attribute, picture);
       if (clean === null) element.removeAttributeNode(attribute);
       else attribute.value = clean;
     }
@@ -114,7 +136,7 @@ export async function cleanMarkup(
     ...(trustPolicy() ? { TRUSTED_TYPES_POLICY: trustPolicy() as never } : {}),
   });
   await checkBudget(root, styles, name);
-  return { root, styles };
+  return { root, styles, lost };
 }
 
 /** Returns the root as an `<html>` with a `<body>`, its elements without prefixes. */
@@ -154,8 +176,8 @@ async function stylesOf(document: Document, files: MarkupFiles): Promise<readonl
     const media = element.getAttribute("media") ?? "";
     if (element.localName === "style") {
       sheets.push(async () => {
-        const sheet = await cleanCss(element.textContent ?? "", (to) => files.data(to));
-        return inMedia([sheet], media);
+        const css = element.textContent ?? "";
+        return inMedia([await cleanCss(css, (to) => files.data(to), files.nameOf)], media);
       });
       continue;
     }
@@ -165,6 +187,19 @@ async function stylesOf(document: Document, files: MarkupFiles): Promise<readonl
     sheets.push(async () => inMedia(await files.style(href), media));
   }
   return await readSheets(sheets);
+}
+
+/** Returns an element that takes no place where something cannot be shown. */
+function placeOfLost(
+  element: Element,
+  code: LostPart["code"],
+  address: string,
+  files: MarkupFiles,
+): Element {
+  const place = element.ownerDocument.createElementNS(xhtml, "span");
+  place.setAttribute(lostAttribute, code);
+  place.setAttribute(sourceAttribute, files.nameOf?.(address) ?? address);
+  return place;
 }
 
 /**
@@ -177,6 +212,8 @@ function placeOf(medium: Element, files: MarkupFiles): void {
   const addresses = sources.map((source) => source.getAttribute("src") ?? "");
   const address = addresses.find((one) => one !== "" && files.plays?.(one));
   const poster = isFilm ? medium.getAttribute("poster") : null;
+  const listed = addresses.find((one) => one !== "");
+  if (!address && listed) medium.before(placeOfLost(medium, "medium", listed, files));
   if (!address && !poster) {
     if (isFilm) medium.replaceWith(...medium.querySelectorAll(":scope > :not(source, track)"));
     return;
@@ -207,12 +244,19 @@ function placeOf(medium: Element, files: MarkupFiles): void {
 
 /** Puts an embedded object's picture in its place, or what stands there without it. */
 async function pictureOf(object: Element, files: MarkupFiles): Promise<void> {
-  const data = await files.data(object.getAttribute("data") ?? "");
+  const address = object.getAttribute("data") ?? "";
+  const data = await files.data(address);
   if (data?.startsWith("data:image/")) {
     const image = object.ownerDocument.createElementNS(xhtml, "img");
     image.setAttribute("src", data);
     object.replaceWith(image);
-  } else object.replaceWith(...object.childNodes);
+    return;
+  }
+  // What stands there in its place is what the book gives for it.
+  const hasOther =
+    object.querySelector("img, object, svg, audio, video, math") ?? object.textContent?.trim();
+  if (address !== "" && !hasOther) object.before(placeOfLost(object, "embedded", address, files));
+  object.replaceWith(...object.childNodes);
 }
 
 /** Puts a picture of a frame in its place. */
@@ -240,19 +284,23 @@ async function inlinePictures(root: Element, files: MarkupFiles): Promise<void> 
     const given = image.getAttribute("src") ?? image.getAttribute("href") ?? linked ?? "";
     for (const name of ["src", "srcset", "sizes", "href", "loading"]) image.removeAttribute(name);
     image.removeAttributeNS(xlink, "href");
+    if (given === "") continue;
     const data = await files.data(given);
-    if (data !== null) image.setAttribute(image.localName === "image" ? "href" : "src", data);
+    // One that is there may still turn out to be damaged.
+    image.setAttribute(sourceAttribute, files.nameOf?.(given) ?? given);
+    if (data === null) image.setAttribute(lostAttribute, "image");
+    else image.setAttribute(image.localName === "image" ? "href" : "src", data);
   }
 }
 
 /** Cleans a style attribute: the browser parses it in a style sheet of its own. */
-async function cleanStyle(element: Element, files: MarkupFiles): Promise<void> {
+async function cleanStyle(element: Element, picture: ResolveCss): Promise<void> {
   const sheet = new CSSStyleSheet();
   const own = withoutPrefixes(element.getAttribute(styleAttribute) ?? "");
   sheet.replaceSync(`x { ${own.replace(/[{}]/g, "")} }`);
   const [rule] = sheet.cssRules;
   const style = rule instanceof CSSStyleRule ? rule.style : null;
-  const clean = style ? await cleanDeclarations(style, (to) => files.data(to)) : "";
+  const clean = style ? await cleanDeclarations(style, picture) : "";
   if (clean === "") element.removeAttribute(styleAttribute);
   else element.setAttribute(styleAttribute, clean);
 }

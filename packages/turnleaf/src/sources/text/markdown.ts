@@ -1,7 +1,8 @@
 /** GitHub's Markdown, read in bounded time and depth. */
 
-import { Lexer, marked, Renderer, type Token, Tokenizer, type Tokens } from "marked";
+import { Lexer, marked, type Parser, Renderer, type Token, Tokenizer, type Tokens } from "marked";
 import { limits } from "../limits.ts";
+import { Footnotes, footnoteSyntax } from "./footnotes.ts";
 
 /** Lists and quotations within each other, as many as a page is wide; deeper ones are shown as their text. */
 const deepest = 8;
@@ -12,15 +13,22 @@ const longestMarked = 50_000;
 /** Returns Markdown as tokens. Throws a `RangeError` if its marks are nested too deeply. */
 export function readMarkdown(text: string): Token[] {
   const tokenizer = new BoundedTokenizer();
-  return new BoundedLexer({ ...marked.defaults, gfm: true, tokenizer }).lex(text);
+  const extensions = { ...footnoteSyntax, renderers: {}, childTokens: {} };
+  return new BoundedLexer({ ...marked.defaults, gfm: true, tokenizer, extensions }).lex(text);
 }
 
 /**
  * Returns tokens as HTML.
  *
  * @param ids of headings, by their tokens, of letters, digits, hyphens and underscores; others get none
+ *
+ * @param notes to which they may refer, numbered
  */
-export function htmlOf(tokens: Token[], ids: ReadonlyMap<Token, string> = new Map()): string {
+export function htmlOf(
+  tokens: Token[],
+  ids: ReadonlyMap<Token, string> = new Map(),
+  notes: Footnotes = new Footnotes(),
+): string {
   const renderer = new Renderer();
   renderer.heading = function (heading: Tokens.Heading): string {
     const { depth, tokens } = heading;
@@ -28,7 +36,15 @@ export function htmlOf(tokens: Token[], ids: ReadonlyMap<Token, string> = new Ma
     const own = id === undefined ? "" : ` id="${id}"`;
     return `<h${depth}${own}>${this.parser.parseInline(tokens)}</h${depth}>\n`;
   };
-  return marked.parser(tokens, { ...marked.defaults, renderer });
+  const renderers = {
+    footnoteRef: ({ label }: Tokens.Generic) => notes.markOf(String(label)),
+    // One that stands within another block stays there.
+    footnote(this: { readonly parser: Parser }, { tokens: inner = [] }: Tokens.Generic) {
+      return this.parser.parse(inner);
+    },
+  };
+  const extensions = { renderers: renderers as never, childTokens: {} };
+  return marked.parser(tokens, { ...marked.defaults, renderer, extensions });
 }
 
 class BoundedTokenizer extends Tokenizer {

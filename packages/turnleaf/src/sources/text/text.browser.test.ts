@@ -137,3 +137,51 @@ test("a link whose escapes are none leads nowhere", async () => {
   expect(await source.links?.(0, never)).toEqual([]);
   source.close();
 });
+
+test("text with the control characters of old systems, terminals and printers is read without them", async () => {
+  const old = "DOS file\r\nwith text\r\n\u001a";
+  expect(await textOf(await open(old, "old.txt"))).toBe("DOS file\nwith text\n");
+  const printed = "N\bNA\bAM\bM_\be\u001b[1m bold\u001b[0m\u0007 a\u001f b\u007f\u0085 c\u000bd";
+  expect(await textOf(await open(printed, "man"))).toBe("NAMe bold a b cd\n");
+  await expect(open("a\0b", "binary")).rejects.toThrow("unknown format");
+});
+
+test("footnotes of Markdown stand at the end of their chapter, and are shown beside their marks", async () => {
+  const text = `# One
+
+See here[^a] and [^gone] and \`[^a]\`.
+Again[^a], and more[^long].
+[^long]: First.
+    Still first.
+
+    Second *paragraph*[^inner].
+
+# Two
+
+And there[^b].
+
+[^b]: There.
+[^a]: **Here**.
+[^inner]: Within.
+[^never]: Nothing leads here.
+`;
+  const source = await open(text, "notes.md");
+  expect(source.pageCount).toBe(2);
+  const pages = [];
+  for (const index of [0, 1]) {
+    const runs = (await source.text?.(index, never)) ?? [];
+    pages.push(runs.map((run) => run.text + (run.end ? "\n" : "")).join(""));
+  }
+  expect(pages[0]).toMatch(
+    /^One\n *See here1 and \[\^gone\] and \[\^a\]\. *\n? *Again1, and more2\.[\s\S]*Here\. ↩[\s\S]*First\. Still first\.[\s\S]*Second paragraph3\. ↩[\s\S]*Within\. ↩/,
+  );
+  expect(pages[1]).toMatch(/^Two\n *And there4\.[\s\S]*There\. ↩[\s\S]*Nothing leads here\./);
+  const links = (await source.links?.(0, never)) ?? [];
+  expect(links.slice(0, 3).map(({ note }) => note)).toEqual([
+    "Here.",
+    "Here.",
+    "First. Still first.\nSecond paragraph3.",
+  ]);
+  expect(links.at(-1)).toMatchObject({ title: "↩", to: { page: 1 } });
+  expect(source.warnings).toEqual([]);
+});

@@ -10,12 +10,15 @@ import { parseMarkup } from "../markup/parse_markup.ts";
 import type { PageSource, Typography } from "../page_source.ts";
 import type { FlowBook, FlowContent, FlowOutline, FlowSection } from "../typeset/flow_book.ts";
 import { FlowSource } from "../typeset/flow_source.ts";
+import { Footnotes, idsOf, listOf } from "./footnotes.ts";
 import { htmlOf, readMarkdown } from "./markdown.ts";
 
 /** A chapter as markup, and the headings in it. */
 interface Chapter {
   readonly html: string;
   readonly headings: readonly Heading[];
+  /** The ids of its notes, and of what leads to them. */
+  readonly ids?: readonly string[];
 }
 
 interface Heading {
@@ -38,6 +41,7 @@ pre, code { font-family: monospace; font-size: 0.85em; }
 blockquote { margin: 0.7em 1.4em; }
 td, th { padding: 0 0.5em; text-align: start; vertical-align: top; }
 img { display: block; margin: 0.7em auto; }
+.notes { font-size: 0.85em; }
 `;
 
 /** Opens plain text or Markdown. Rejects with a `BookError`. */
@@ -47,7 +51,7 @@ export async function openText(
   type: string,
   typography?: Typography,
 ): Promise<PageSource> {
-  const text = decode(await bytesOf(file, name)).replace(/\r\n?/g, "\n");
+  const text = withoutControls(decode(await bytesOf(file, name)).replace(/\r\n?/g, "\n"));
   // Both are text: a name may tell them apart where the media type does not.
   const isMarkdown = /markdown/.test(type) || /\.(md|markdown)$/i.test(name);
   const chapters = (isMarkdown ? markdownChapters(text) : null) ?? plainChapters(text);
@@ -56,8 +60,10 @@ export async function openText(
 
 function bookOf(chapters: readonly Chapter[], file: Blob, name: string): FlowBook {
   const places = new Map<string, number>();
-  chapters.forEach(({ headings }, section) => {
-    for (const { id } of headings) if (!places.has(id)) places.set(id, section);
+  chapters.forEach(({ headings, ids = [] }, section) => {
+    for (const id of [...headings.map(({ id }) => id), ...ids]) {
+      if (!places.has(id)) places.set(id, section);
+    }
   });
   const [first] = chapters[0]?.headings ?? [];
   return {
@@ -130,7 +136,8 @@ function markdownChapters(text: string): Chapter[] | null {
 }
 
 function chaptersIn(text: string): Chapter[] {
-  const tokens = readMarkdown(text.replace(/^---\n[\s\S]*?\n---\n/, ""));
+  const notes = new Footnotes();
+  const tokens = notes.take(readMarkdown(text.replace(/^---\n[\s\S]*?\n---\n/, "")));
   const depths = [1, 2].filter((depth) => tokens.filter(isHeading(depth)).length > 1);
   const [depth = 0] = depths;
   const parts: Token[][] = [[]];
@@ -140,7 +147,8 @@ function chaptersIn(text: string): Chapter[] {
     parts.at(-1)?.push(token);
   }
   const used = new Map<string, number>();
-  return parts.slice(0, limits.pages).map((part) => {
+  return parts.slice(0, limits.pages).map((part, index, shown) => {
+    const own = notes.of(part, index === shown.length - 1);
     const ids = new Map<Token, string>();
     const headings = headingsIn(part).map((heading) => {
       const title = cleanText(textOf(heading)) || "–";
@@ -148,7 +156,8 @@ function chaptersIn(text: string): Chapter[] {
       ids.set(heading, id);
       return { title, depth: heading.depth, id };
     });
-    return { html: htmlOf(part, ids), headings };
+    const html = (one: Token[]): string => htmlOf(one, ids, notes);
+    return { html: html(part) + listOf(own, html), headings, ids: own.flatMap(idsOf) };
   });
 }
 
@@ -214,6 +223,19 @@ function linesOf(words: string): string[] {
 
 function escapeText(text: string): string {
   return text.replaceAll("&", "&amp;").replaceAll("<", "&lt;");
+}
+
+/** Colours and the like of terminals, and a letter that is printed over another. */
+// biome-ignore lint/suspicious/noControlCharactersInRegex: they are what is removed
+const terminal = /\u001b\[[\d;?]*[ -/]*[@-~]|[^\n]\u0008/g;
+
+/** Control characters that mean nothing in text; a form feed begins another page. */
+// biome-ignore lint/suspicious/noControlCharactersInRegex: they are what is removed
+const controls = /[\u0000-\u0008\u000b\u000e-\u001f\u007f]/g;
+
+/** Returns text without what was meant for terminals, printers and systems. */
+function withoutControls(text: string): string {
+  return text.replace(terminal, "").replace(controls, "");
 }
 
 /** Returns text as UTF-8, as UTF-16 by its mark, or in the usual encoding of old files. */

@@ -2,6 +2,7 @@ import { unknownFailure } from "../failures.ts";
 import type { Typography } from "../page_source.ts";
 import { SharedTasks } from "../shared_tasks.ts";
 import type { FlowBook } from "./flow_book.ts";
+import type { FlowWarnings } from "./flow_warnings.ts";
 import { LaidChapter } from "./laid_chapter.ts";
 import type { SectionMap } from "./laid_section.ts";
 import type { SectionContents } from "./section_contents.ts";
@@ -17,6 +18,7 @@ export class Edition {
   readonly typography: Typography;
   readonly #book: FlowBook;
   readonly #contents: SectionContents;
+  readonly #warnings: FlowWarnings;
   readonly #maps = new Map<number, SectionMap>();
   /** Sections in their frames, the last used one last. */
   #frames = new Map<number, LaidChapter>();
@@ -25,10 +27,16 @@ export class Edition {
   #last: Promise<unknown> = Promise.resolve();
   #isClosed = false;
 
-  /** @param contents of the book's sections, for all its editions */
-  constructor(book: FlowBook, contents: SectionContents, typography: Typography) {
+  /** @param contents,warnings of the book's sections, for all its editions */
+  constructor(
+    book: FlowBook,
+    contents: SectionContents,
+    warnings: FlowWarnings,
+    typography: Typography,
+  ) {
     this.#book = book;
     this.#contents = contents;
+    this.#warnings = warnings;
     this.typography = typography;
   }
 
@@ -100,12 +108,17 @@ export class Edition {
         throw new DOMException("The book is closed.", "AbortError");
       }
       this.#maps.set(section, laid.map);
+      this.#warnings.laid(section, laid.map);
       this.#keep(section, laid);
       return laid;
     } catch (error) {
       signal.throwIfAborted();
       const what = `Part ${section + 1} of ${this.#book.name} cannot be laid out`;
-      throw unknownFailure(what, error, "get the file again", { source: this.#book.name });
+      const failure = unknownFailure(what, error, "get the file again", {
+        source: this.#book.name,
+      });
+      this.#warnings.failed(section, failure);
+      throw failure;
     }
   }
 

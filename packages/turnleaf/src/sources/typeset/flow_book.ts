@@ -3,7 +3,7 @@
  * order, which `FlowSource` sets into pages.
  */
 
-import type { BookDetail, PageSize } from "../page_source.ts";
+import type { BookDetail, BookWarning, BookWarningCode, PageSize } from "../page_source.ts";
 
 /** A part of a book that begins on a page of its own: a chapter, or a page of fixed layout. */
 export interface FlowSection {
@@ -35,6 +35,22 @@ export const styleAttribute = "data-turnleaf-style";
 export const mediumAttribute = "data-turnleaf-medium";
 export const mediumKindAttribute = "data-turnleaf-medium-kind";
 
+/**
+ * The attributes of an element in whose place something cannot be shown, or of a picture that may turn
+ * out so: the file as a warning names it, and the warning's code, which a picture that is there lacks.
+ */
+export const sourceAttribute = "data-turnleaf-source";
+export const lostAttribute = "data-turnleaf-lost";
+
+/** Something that a section names and that cannot be shown. */
+export interface LostPart {
+  readonly code: BookWarningCode;
+  /** The file, address or name that it is about. */
+  readonly source: string;
+  /** The page of its section (from 0) on which it would be shown. The default is the first. */
+  readonly page?: number;
+}
+
 /** The attribute that says how many pixels an element's picture has. */
 export const pixelsAttribute = "data-turnleaf-pixels";
 
@@ -46,6 +62,8 @@ export interface FlowContent {
   readonly styles: readonly string[];
   /** The page's size in CSS pixels, if its layout is fixed. */
   readonly size?: PageSize;
+  /** What cannot be shown, besides what elements of it are marked to be. */
+  readonly lost?: readonly LostPart[];
 }
 
 /** A place in a book: an element, or a section's beginning. */
@@ -59,6 +77,8 @@ export interface FlowTarget {
 export interface FlowOutline {
   readonly title: string;
   readonly target: FlowTarget | null;
+  /** Whether it is to lead to a place that the book does not have. The default is false. */
+  readonly isLost?: boolean;
   readonly children: readonly FlowOutline[];
 }
 
@@ -98,6 +118,8 @@ export interface FlowBook {
   readonly details?: readonly BookDetail[];
   readonly sections: readonly FlowSection[];
   readonly outline: readonly FlowOutline[];
+  /** What cannot be shown, as far as it is known without its sections and contents. */
+  readonly warnings?: readonly BookWarning[];
   /** What is read aloud of it, if anything is. */
   readonly narration?: FlowNarration;
   /** Whether the reader is asked before a link is followed out of the book. */

@@ -3,6 +3,7 @@ import { limits, wholePage } from "../limits.ts";
 import {
   type BookDetail,
   BookError,
+  type BookWarning,
   type NewIndex,
   type OutlineEntry,
   type PageBox,
@@ -17,6 +18,7 @@ import {
 import { drawMarkup } from "./draw_markup.ts";
 import { Edition } from "./edition.ts";
 import type { FlowBook, FlowOutline, FlowTarget } from "./flow_book.ts";
+import { FlowWarnings } from "./flow_warnings.ts";
 import { idle } from "./idle.ts";
 import type { LaidChapter } from "./laid_chapter.ts";
 import { Narrator } from "./narrator.ts";
@@ -59,6 +61,7 @@ export class FlowSource implements PageSource {
   readonly roll?: (index: number) => number | null;
   readonly #book: FlowBook;
   readonly #contents: SectionContents;
+  readonly #warnings: FlowWarnings;
   #edition: Edition;
   /** Another edition, whose pages are to replace these. */
   #next: Edition | null = null;
@@ -75,7 +78,8 @@ export class FlowSource implements PageSource {
   /** Returns a book's pages. Rejects with a `BookError` if its only section cannot be laid out. */
   static async open(book: FlowBook, typography: Typography = ownTypography): Promise<FlowSource> {
     const contents = new SectionContents(book);
-    const edition = new Edition(book, contents, typography);
+    const warnings = new FlowWarnings(book);
+    const edition = new Edition(book, contents, warnings, typography);
     try {
       await edition.lay(0);
     } catch (error) {
@@ -86,10 +90,15 @@ export class FlowSource implements PageSource {
         throw error;
       }
     }
-    return new FlowSource(book, contents, edition);
+    return new FlowSource(book, contents, warnings, edition);
   }
 
-  private constructor(book: FlowBook, contents: SectionContents, edition: Edition) {
+  private constructor(
+    book: FlowBook,
+    contents: SectionContents,
+    warnings: FlowWarnings,
+    edition: Edition,
+  ) {
     this.title = book.title;
     this.titleDirection = book.titleDirection ?? "auto";
     this.language = book.language;
@@ -98,6 +107,7 @@ export class FlowSource implements PageSource {
     this.details = book.details ?? [];
     this.#book = book;
     this.#contents = contents;
+    this.#warnings = warnings;
     this.#edition = edition;
     this.#numbers = this.#numbersOf(edition);
     if (book.sections.some(({ isFixed }) => !isFixed)) {
@@ -119,6 +129,14 @@ export class FlowSource implements PageSource {
 
   get pageCount(): number {
     return this.#numbers.pageCount;
+  }
+
+  get warnings(): readonly BookWarning[] {
+    return this.#warnings.all((section, page) => this.#numbers.indexOf(section, page) + 1);
+  }
+
+  watchWarnings(listener: () => void): void {
+    this.#warnings.watch(listener);
   }
 
   async size(index: number, signal?: AbortSignal): Promise<PageSize> {
@@ -196,7 +214,7 @@ export class FlowSource implements PageSource {
     const { section, page } = this.#at(index);
     const found = await (await this.#lay(section, signal)).links(page);
     const links: PageLink[] = [];
-    let laid = 0;
+    const laid = new Set([section]);
     for (const { href, isNote, ...link } of found) {
       const address = cleanAddress(href);
       const asks = this.#book.asksToLeave ? { asks: true } : {};
@@ -205,8 +223,9 @@ export class FlowSource implements PageSource {
       if (target === null) continue;
       const isUnknown = isNote || this.#edition.mapOf(target.section) === undefined;
       let note = "";
-      if (isUnknown && target.id !== "" && laid < mostTargets) {
-        if (target.section !== section) laid += 1;
+      const mayLay = laid.has(target.section) || laid.size <= mostTargets;
+      if (isUnknown && target.id !== "" && mayLay) {
+        laid.add(target.section);
         const there = await this.#edition
           .lay(target.section, signal)
           .catch(() => signal.throwIfAborted());
@@ -328,7 +347,7 @@ export class FlowSource implements PageSource {
   }
 
   async #typeset(typography: Typography): Promise<void> {
-    const next = new Edition(this.#book, this.#contents, typography);
+    const next = new Edition(this.#book, this.#contents, this.#warnings, typography);
     this.#next?.close();
     this.#next = next;
     try {

@@ -1,29 +1,28 @@
 /** Frames in which text is laid out, out of sight: no script runs in them and nothing is fetched. */
 
 import { trustedMarkup } from "../trusted_script.ts";
+import { styleAttribute } from "./flow_book.ts";
 
 /** Even if an address were left in the markup, it would not be fetched. */
 const policy = "default-src 'none'; img-src data:; font-src data:; style-src 'unsafe-inline'";
 
-/** A frame's document, whose root is an empty `<div>`. */
+/** Where text is laid out: an empty `<div>`, in a document of its own if there may be one. */
 export interface LayoutFrame {
-  readonly element: HTMLIFrameElement;
   readonly document: Document;
   readonly root: HTMLElement;
+  /** Applies style sheets, whatever the page's policy says of inline styles. */
+  adopt(sheets: readonly string[]): void;
+  /** Returns the fonts that its style sheets name. */
+  fonts(): FontFace[];
+  /** Removes it. */
+  close(): void;
 }
 
 /** Returns a new frame of a size in CSS pixels. */
 export async function openFrame(width: number, height: number): Promise<LayoutFrame> {
   const element = document.createElement("iframe");
   element.setAttribute("sandbox", "allow-same-origin");
-  element.ariaHidden = "true";
-  element.inert = true;
-  element.tabIndex = -1;
-  // The page's own style must not reach it.
-  element.style.cssText =
-    "all: initial !important; position: fixed !important; left: -100000px !important; top: 0 !important; border: 0 !important; visibility: hidden !important";
-  element.style.setProperty("width", `${width}px`, "important");
-  element.style.setProperty("height", `${height}px`, "important");
+  hide(element, width, height);
   const loaded = new Promise((resolve) => {
     element.addEventListener("load", resolve, { once: true });
   });
@@ -34,21 +33,97 @@ export async function openFrame(width: number, height: number): Promise<LayoutFr
   await loaded;
   const frame = element.contentDocument;
   if (frame === null) {
+    // In a page without an origin of its own no frame is of the page's.
     element.remove();
-    throw new Error("The browser allows no frame without scripts.");
+    return openShadow(width, height);
   }
   // The book's own <html> is laid out as it is drawn: within another element.
   const root = frame.createElement("div");
   frame.documentElement.replaceWith(root);
-  return { element, document: frame, root };
+  const adopt = (sheets: readonly string[]): void => {
+    frame.adoptedStyleSheets = sheetsOf(sheets, frame.defaultView as Window & typeof globalThis);
+  };
+  return {
+    ...{ document: frame, root, adopt },
+    fonts: () => [...frame.fonts],
+    close: () => element.remove(),
+  };
 }
 
-/** Applies style sheets to a frame, whatever the page's policy says of inline styles. */
-export function adoptStyles(frame: LayoutFrame, sheets: readonly string[]): void {
-  const view = frame.document.defaultView as Window & typeof globalThis;
-  frame.document.adoptedStyleSheets = sheets.map((css) => {
+/**
+ * Returns a place in the page itself for what may have no document of its own. Markup is clean before it
+ * comes here; what is lost is that style sheets see the page's window, and its type size as `rem`.
+ */
+function openShadow(width: number, height: number): LayoutFrame {
+  const host = document.createElement("div");
+  hide(host, width, height);
+  // What is measured in it lies as in a frame.
+  for (const [name, value] of Object.entries({ left: "0", overflow: "hidden", "z-index": "-1" })) {
+    host.style.setProperty(name, value, "important");
+  }
+  const shadow = host.attachShadow({ mode: "open" });
+  const root = document.createElement("div");
+  shadow.append(root);
+  document.body.append(host);
+  const before = new Set(document.fonts);
+  let rules: CSSStyleSheet[] = [];
+  const withRules = (next: CSSStyleSheet[]): void => {
+    const others = document.adoptedStyleSheets.filter((sheet) => !rules.includes(sheet));
+    rules = next;
+    document.adoptedStyleSheets = [...others, ...rules];
+  };
+  return {
+    ...{ document, root },
+    adopt: (sheets) => {
+      shadow.adoptedStyleSheets = sheetsOf(sheets, window);
+      // Fonts are the document's alone.
+      withRules(sheetsOf([sheets.flatMap((css) => css.match(fontRule) ?? []).join("\n")], window));
+    },
+    fonts: () => [...document.fonts].filter((face) => !before.has(face)),
+    close: () => {
+      host.remove();
+      withRules([]);
+    },
+  };
+}
+
+/** Hides what text is laid out in from readers, whatever the page's own style is. */
+function hide(element: HTMLElement, width: number, height: number): void {
+  element.ariaHidden = "true";
+  element.inert = true;
+  element.tabIndex = -1;
+  element.style.cssText =
+    "all: initial !important; position: fixed !important; left: -100000px !important; top: 0 !important; border: 0 !important; visibility: hidden !important";
+  element.style.setProperty("width", `${width}px`, "important");
+  element.style.setProperty("height", `${height}px`, "important");
+}
+
+function sheetsOf(sheets: readonly string[], view: Window & typeof globalThis): CSSStyleSheet[] {
+  return sheets.map((css) => {
     const sheet = new view.CSSStyleSheet();
     sheet.replaceSync(css);
     return sheet;
   });
+}
+
+/** A rule of a font, as `cleanCss` writes it. */
+export const fontRule: RegExp = /@font-face \{ [^{}]*\}/g;
+
+/** Gives elements their own styles. */
+export function applyInlineStyles(html: HTMLElement): void {
+  for (const element of [html, ...html.querySelectorAll<HTMLElement>(`[${styleAttribute}]`)]) {
+    element.style.cssText = element.getAttribute(styleAttribute) ?? "";
+    element.removeAttribute(styleAttribute);
+  }
+}
+
+/** Waits until the pictures and fonts of a section are there, or have failed. */
+export async function loadedIn({ document }: LayoutFrame, html: HTMLElement): Promise<void> {
+  // Laid out once, it is known which fonts are used.
+  html.getBoundingClientRect();
+  // Not decoded: only those of a page that is drawn are.
+  const images = [...html.querySelectorAll("img")].map(
+    (image) => image.complete || new Promise((done) => (image.onload = image.onerror = done)),
+  );
+  await Promise.all([document.fonts.ready, ...images]);
 }

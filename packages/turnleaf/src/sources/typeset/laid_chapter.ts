@@ -200,11 +200,22 @@ function joined(pieces: readonly Piece[]): SectionMap {
   const ids = new Map<string, number>();
   const starts: number[] = [];
   let length = 0;
+  const onPages = <T extends { readonly page?: number }>(
+    of: (map: SectionMap) => readonly T[],
+  ): T[] =>
+    pieces.flatMap(({ map, first }) =>
+      of(map).map((one) => (one.page === undefined ? one : { ...one, page: first + one.page })),
+    );
   for (const { map, first } of pieces) {
     for (const [id, page] of map.ids) if (!ids.has(id)) ids.set(id, first + page);
     for (const start of map.starts) starts.push(length + start);
     length += map.length;
   }
   const tops = new Map<string, number>();
-  return { pageCount: starts.length, starts, length, ids, tops, size: (one as Piece).map.size };
+  return {
+    ...{ pageCount: starts.length, starts, length, ids, tops, size: (one as Piece).map.size },
+    lost: onPages(({ lost }) => lost),
+    noteLinks: onPages(({ noteLinks }) => noteLinks),
+    blankIds: new Set(pieces.flatMap(({ map }) => [...map.blankIds])),
+  };
 }

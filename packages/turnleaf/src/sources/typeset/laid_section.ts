@@ -4,13 +4,15 @@ import type { PageBox, PageSize, TextRun, Typography } from "../page_source.ts";
 import { fitBoxes } from "./fit_boxes.ts";
 import {
   type FlowContent,
+  type LostPart,
+  lostAttribute,
   mediumAttribute,
   mediumKindAttribute,
-  styleAttribute,
+  sourceAttribute,
 } from "./flow_book.ts";
-import { adoptStyles, type LayoutFrame, openFrame } from "./frame.ts";
+import { applyInlineStyles, fontRule, type LayoutFrame, loadedIn, openFrame } from "./frame.ts";
 import { Markup } from "./markup.ts";
-import { isNoteLink, noteText } from "./notes.ts";
+import { blankIds, isNoteLink, noteText } from "./notes.ts";
 import { type PageFlow, pageOfRect, TextMap } from "./text_map.ts";
 import {
   baseStyle,
@@ -78,6 +80,18 @@ export interface SectionMap {
    */
   readonly tops: ReadonlyMap<string, number>;
   readonly size: PageSize;
+  /** What it names and cannot be shown. */
+  readonly lost: readonly LostPart[];
+  /** Its links to notes, as the book writes them. */
+  readonly noteLinks: readonly NoteLink[];
+  /** The ids of elements that mark no text, as that of a note would be. */
+  readonly blankIds: ReadonlySet<string>;
+}
+
+/** A link to a note, and its page (from 0). */
+export interface NoteLink {
+  readonly href: string;
+  readonly page: number;
 }
 
 /** A section set into pages, in a frame of its own. */
@@ -124,7 +138,7 @@ export class LaidSection {
       const made = (...parts: MadeParts): LaidSection => new LaidSection(...parts);
       return await layIn(frame, content, typography, isScrolled, made);
     } catch (error) {
-      frame.element.remove();
+      frame.close();
       throw error;
     }
   }
@@ -230,7 +244,7 @@ export class LaidSection {
   }
 
   close(): void {
-    this.#frame.element.remove();
+    this.#frame.close();
   }
 
   #onPage(rect: DOMRect, page: number): PageBox {
@@ -275,7 +289,7 @@ async function layIn<T>(
   const reader = readerStyle(typography);
   const own = [baseStyle, ...content.styles];
   let flow: PageFlow = { stepX: 0, stepY: 0, isVertical: false };
-  adoptStyles(frame, [...own, reader]);
+  frame.adopt([...own, reader]);
   const { writingMode, direction } = writingOf(body, view);
   const isVertical = !writingMode.startsWith("horizontal");
   // Lines that stand upright are scrolled page by page.
@@ -293,7 +307,7 @@ async function layIn<T>(
   const rem = view.getComputedStyle(html).fontSize;
   html.style.setProperty("font-size", rem, "important");
   frame.root.style.fontSize = rem;
-  adoptStyles(frame, own);
+  frame.adopt(own);
   await loadedIn(frame, html);
   if (!content.size) {
     const area = { width: page.width - 2 * page.sides, height: page.height - 2 * page.ends };
@@ -313,13 +327,15 @@ async function layIn<T>(
   const map = {
     pageCount,
     ...mapOf(html, flow, pageCount, isSliced),
+    ...notesIn(html, flow, pageCount),
+    lost: [...(content.lost ?? []), ...lostIn(frame, html, flow, pageCount)],
     size: content.size ?? {
       width: paperback.width,
       height: isSliced ? (size.height * paperback.width) / page.width : paperback.height,
     },
   };
   const text = new TextMap(body, flow, pageCount);
-  const styles = withUsedFonts([spokenStyle, ...own], frame.document);
+  const styles = withUsedFonts([spokenStyle, ...own], frame);
   const markup = (): Markup => new Markup(html, { styles, size, rem, paper, flow });
   return done(
     frame,
@@ -334,32 +350,10 @@ async function layIn<T>(
   );
 }
 
-/** Gives elements their own styles. */
-function applyInlineStyles(html: HTMLElement): void {
-  for (const element of [html, ...html.querySelectorAll<HTMLElement>(`[${styleAttribute}]`)]) {
-    element.style.cssText = element.getAttribute(styleAttribute) ?? "";
-    element.removeAttribute(styleAttribute);
-  }
-}
-
-/** Waits until the pictures and fonts of a section are there, or have failed. */
-async function loadedIn({ document }: LayoutFrame, html: HTMLElement): Promise<void> {
-  // Laid out once, it is known which fonts are used.
-  html.getBoundingClientRect();
-  // Not decoded: only those of a page that is drawn are.
-  const images = [...html.querySelectorAll("img")].map(
-    (image) => image.complete || new Promise((done) => (image.onload = image.onerror = done)),
-  );
-  await Promise.all([document.fonts.ready, ...images]);
-}
-
-/** A rule of a font, as `cleanCss` writes it. */
-const fontRule = /@font-face \{ [^{}]*\}/g;
-
 /** Returns style sheets without the fonts that nothing in a frame is set in. */
-function withUsedFonts(sheets: readonly string[], { fonts }: Document): readonly string[] {
+function withUsedFonts(sheets: readonly string[], frame: LayoutFrame): readonly string[] {
   // The faces of rules are in the order of these.
-  const faces = [...fonts];
+  const faces = frame.fonts();
   const rules = sheets.flatMap((css) => css.match(fontRule) ?? []);
   if (rules.length !== faces.length) return sheets;
   let next = 0;
@@ -414,11 +408,59 @@ function mapOf(
     const [rect] = element.getClientRects();
     const id = element.id || (element.getAttribute("name") ?? "");
     if (ids.size >= limits.elements || ids.has(id)) continue;
-    const page = Math.min(Math.max(rect ? pageOfRect(flow, rect) : 0, 0), pageCount - 1);
+    const page = pageOf(element, flow, pageCount);
     ids.set(id, page);
     if (rect && isScrolled) tops.set(id, rect.top / flow.stepY - page);
   }
   return { ids, tops };
+}
+
+/** Returns what a section names and cannot be shown: what is marked so, damaged pictures, and fonts. */
+function lostIn(
+  frame: LayoutFrame,
+  html: HTMLElement,
+  flow: PageFlow,
+  pageCount: number,
+): LostPart[] {
+  const lost: LostPart[] = [];
+  for (const element of html.querySelectorAll<HTMLElement>(`[${sourceAttribute}]`)) {
+    if (lost.length >= limits.warnings) break;
+    const source = element.getAttribute(sourceAttribute) ?? "";
+    const isDamaged = element.localName === "img" && isUndecodable(element as HTMLImageElement);
+    const code = isDamaged ? "image" : (element.getAttribute(lostAttribute) as LostPart["code"]);
+    if (code !== null) lost.push({ code, source, page: pageOf(element, flow, pageCount) });
+  }
+  const failed = frame.fonts().filter(({ status }) => status === "error");
+  const families = new Set(failed.map(({ family }) => family.replace(/^["']|["']$/g, "")));
+  const fonts = [...families].slice(0, limits.warnings);
+  return [...lost, ...fonts.map((source): LostPart => ({ code: "font", source }))];
+}
+
+/** Returns whether a picture has come and is none; a drawing need not have a size. */
+function isUndecodable(image: HTMLImageElement): boolean {
+  const isPicture = image.src !== "" && !image.src.startsWith("data:image/svg");
+  return isPicture && image.complete && image.naturalWidth === 0;
+}
+
+/** Returns the page on which an element begins, of so many. */
+function pageOf(element: Element, flow: PageFlow, pageCount: number): number {
+  const [rect] = element.getClientRects();
+  return Math.min(Math.max(rect ? pageOfRect(flow, rect) : 0, 0), pageCount - 1);
+}
+
+/** Returns a section's links to notes, and which of its elements have no text that a note could be. */
+function notesIn(
+  html: HTMLElement,
+  flow: PageFlow,
+  pageCount: number,
+): Pick<SectionMap, "noteLinks" | "blankIds"> {
+  const noteLinks: NoteLink[] = [];
+  for (const link of html.querySelectorAll("a[href]")) {
+    if (noteLinks.length >= limits.annotations) break;
+    if (!isNoteLink(link)) continue;
+    noteLinks.push({ href: link.getAttribute("href") ?? "", page: pageOf(link, flow, pageCount) });
+  }
+  return { noteLinks, blankIds: blankIds(html) };
 }
 
 /** Returns whether a page's size is usable for a page of fixed layout. */

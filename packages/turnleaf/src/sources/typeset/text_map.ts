@@ -2,6 +2,8 @@
 
 import { cleanRun } from "../book_text.ts";
 import { limits } from "../limits.ts";
+import { formulaAttribute } from "../markup/formulas.ts";
+import { xmlOf } from "../markup/xml.ts";
 import type { PageBox, TextRun } from "../page_source.ts";
 
 /** How a section's pages lie beside each other in its frame. */
@@ -12,9 +14,9 @@ export interface PageFlow {
   readonly isVertical: boolean;
 }
 
-/** A piece of text on some pages. */
+/** A piece of text on some pages, or a formula, which is on one. */
 interface Piece {
-  readonly node: Text;
+  readonly node: Text | Element;
   /** Characters of the section before it. */
   readonly offset: number;
   readonly first: number;
@@ -50,15 +52,16 @@ export class TextMap {
     const pieces: Piece[] = [];
     let offset = 0;
     for (const node of textNodes(body)) {
+      const length = lengthOf(node);
       const piece = this.#pieceOf(node, offset, pageCount);
       if (piece) {
         pieces.push(piece);
         for (let page = piece.first; page <= piece.last; page++) {
-          const within = page === piece.first ? 0 : this.#firstOn(piece, page);
+          const within = page === piece.first ? 0 : this.#firstOn(node as Text, page);
           starts[page] ??= offset + within;
         }
       }
-      offset += node.length;
+      offset += length;
     }
     for (let page = pageCount - 1, next = offset; page >= 0; page--) {
       next = Math.min(starts[page] ?? next, next);
@@ -82,7 +85,7 @@ export class TextMap {
     const within = this.#pieces.filter(({ node }) => element.contains(node));
     const [first, last] = [within[0], within.at(-1)];
     if (!first || !last) return { offset: 0, length: 0 };
-    return { offset: first.offset, length: last.offset + last.node.length - first.offset };
+    return { offset: first.offset, length: last.offset + lengthOf(last.node) - first.offset };
   }
 
   /** Returns a page's text in lines; with the places of letters if `exact`. */
@@ -100,10 +103,11 @@ export class TextMap {
     return runs.map((line, k) => this.#runOf(line, runs[k + 1], exact));
   }
 
-  #pieceOf(node: Text, offset: number, pageCount: number): Piece | null {
+  #pieceOf(node: Piece["node"], offset: number, pageCount: number): Piece | null {
     this.#range.selectNodeContents(node);
     let [first, last] = [Number.POSITIVE_INFINITY, -1];
-    for (const rect of this.#range.getClientRects()) {
+    const whole = isText(node) ? null : [this.#range.getBoundingClientRect()];
+    for (const rect of whole ?? this.#range.getClientRects()) {
       if (rect.width === 0 || rect.height === 0) continue;
       const page = Math.min(Math.max(pageOfRect(this.#flow, rect), 0), pageCount - 1);
       first = Math.min(first, page);
@@ -113,7 +117,7 @@ export class TextMap {
   }
 
   /** Returns the first character of a piece that is on a page or after it. */
-  #firstOn({ node }: Piece, page: number): number {
+  #firstOn(node: Text, page: number): number {
     let [low, high] = [0, node.length];
     while (low < high) {
       const middle = (low + high) >> 1;
@@ -160,8 +164,9 @@ export class TextMap {
   #linesOf(piece: Piece, page: number): Line[] {
     const { node } = piece;
     const { isVertical } = this.#flow;
+    if (!isText(node)) return this.#formulaOf(node, page);
     const lines: Line[] = [];
-    const from = page === piece.first ? 0 : this.#firstOn(piece, page);
+    const from = page === piece.first ? 0 : this.#firstOn(node, page);
     const text = node.data;
     let line: Line | null = null;
     for (let k = from; k < text.length; ) {
@@ -191,16 +196,26 @@ export class TextMap {
     return lines;
   }
 
+  /** Returns a formula as one line: its parts stand above each other, and mean nothing one by one. */
+  #formulaOf(math: Element, page: number): Line[] {
+    this.#range.selectNodeContents(math);
+    const box = this.#onPage(this.#range.getBoundingClientRect(), page);
+    const text = cleanRun(math.getAttribute(formulaAttribute) ?? math.textContent ?? "");
+    if (text === "") return [];
+    return [{ text, box, boxes: [], math: xmlOf(math) }];
+  }
+
   #onPage(rect: DOMRect, page: number): PageBox {
     const { stepX, stepY } = this.#flow;
     const { width, height } = rect;
     return { x: rect.left - page * stepX, y: rect.top - page * stepY, width, height };
   }
 
-  #runOf({ text, box, boxes }: Line, next: Line | undefined, exact: boolean): TextRun {
+  #runOf({ text, box, boxes, math }: Line, next: Line | undefined, exact: boolean): TextRun {
     const { isVertical } = this.#flow;
     const end = next === undefined || !continues({ box }, next.box, isVertical);
     const run = { text, ...box, angle: 0, end, ...(isVertical ? { vertical: true } : {}) };
+    if (math !== undefined) return { ...run, math };
     if (!exact || isVertical || box.width === 0) return run;
     const places = boxes.map(({ x }) => (x - box.x) / box.width);
     // Places are those of letters that run to the right.
@@ -214,6 +229,8 @@ interface Line {
   text: string;
   box: PageBox;
   readonly boxes: PageBox[];
+  /** The formula that they are. */
+  readonly math?: string;
 }
 
 /** Returns whether a box stands on the line of another: more than half beside it. */
@@ -232,10 +249,33 @@ function union(a: PageBox, b: PageBox): PageBox {
   return { x, y, width: right - x, height: below - y };
 }
 
-/** Returns the text nodes that are read: readings of ruby stand beside what they read. */
-function* textNodes(body: Element): Generator<Text> {
-  const walker = body.ownerDocument.createTreeWalker(body, NodeFilter.SHOW_TEXT);
+/** Returns what is read, in order: text, and formulas whole; readings of ruby stand beside what they read. */
+function* textNodes(body: Element): Generator<Piece["node"]> {
+  const walker = body.ownerDocument.createTreeWalker(
+    body,
+    NodeFilter.SHOW_TEXT | NodeFilter.SHOW_ELEMENT,
+    (node) => {
+      const { parentElement } = node;
+      if (parentElement?.closest("math")) return NodeFilter.FILTER_REJECT;
+      if (!isText(node)) {
+        return (node as Element).localName === "math"
+          ? NodeFilter.FILTER_ACCEPT
+          : NodeFilter.FILTER_SKIP;
+      }
+      return parentElement?.closest("rt, rp") ? NodeFilter.FILTER_REJECT : NodeFilter.FILTER_ACCEPT;
+    },
+  );
   for (let node = walker.nextNode(); node !== null; node = walker.nextNode()) {
-    if (!node.parentElement?.closest("rt, rp")) yield node as Text;
+    yield node as Piece["node"];
   }
+}
+
+/** Returns whether a node is text; it may be of another window. */
+function isText(node: Node): node is Text {
+  return node.nodeType === Node.TEXT_NODE || node.nodeType === Node.CDATA_SECTION_NODE;
+}
+
+/** Returns the characters that a piece counts. */
+function lengthOf(node: Piece["node"]): number {
+  return node.textContent?.length ?? 0;
 }

@@ -1,0 +1,79 @@
+/** Formulas of MathML: drawn as they are, one piece of text each, read as mathematics. */
+
+import { expect, test } from "vitest";
+import { closeBooks, laidOut } from "../../for_tests/laid_out_books.ts";
+import { layText } from "../../text/page_text.ts";
+import { tinyEpub } from "../epub/tiny_epub.ts";
+
+const never = new AbortController().signal;
+const math = (inner: string, more = ""): string =>
+  `<math xmlns="http://www.w3.org/1998/Math/MathML" ${more}>${inner}</math>`;
+const half = "<mfrac><mi>a</mi><mrow><mi>b</mi><mo>+</mo><mn>1</mn></mrow></mfrac>";
+
+closeBooks();
+
+test("a formula is one run: its TeX, what its author says of it, or its signs on a line", async () => {
+  const formulas = [
+    math(
+      `<semantics>${half}<annotation encoding="application/x-tex">\\frac{a}{b+1}</annotation></semantics>`,
+    ),
+    math(
+      `<semantics><apply><divide/><ci>a</ci></apply><annotation-xml encoding="MathML-Presentation">${half}</annotation-xml></semantics>`,
+    ),
+    math(half, 'alttext="a over b plus one"'),
+    math(
+      `<msup><mi>x</mi><mn>2</mn></msup><mo>=</mo><msqrt><mi>y</mi><mo>+</mo><mi>z</mi></msqrt>`,
+    ),
+    math(
+      "<munderover><mo>∑</mo><mrow><mi>i</mi><mo>=</mo><mn>1</mn></mrow><mi>n</mi></munderover><mi>i</mi><mo>\u2062</mo><mi>j</mi>",
+      'display="block"',
+    ),
+    math(
+      "<mtable><mtr><mtd><mn>1</mn></mtd><mtd><mn>0</mn></mtd></mtr><mtr><mtd><mn>0</mn></mtd><mtd><mn>1</mn></mtd></mtr></mtable>",
+    ),
+  ];
+  const source = await laidOut(
+    tinyEpub({ chapters: [formulas.map((one) => `<p>so ${one} is</p>`).join("")] }),
+  );
+  const runs = (await source.text?.(0, never)) ?? [];
+  const found = runs.filter(({ math }) => math !== undefined);
+  expect(found.map(({ text }) => text)).toEqual([
+    "\\frac{a}{b+1}",
+    "a/(b + 1)",
+    "a over b plus one",
+    "x^2 = √(y + z)",
+    "∑_(i = 1)^nij",
+    "[1, 0; 0, 1]",
+  ]);
+  // The words around it are runs of their own, and nothing of it is said twice.
+  expect(runs.map(({ text }) => text.trim()).filter((text) => /^(so|is)$/.test(text)).length).toBe(
+    12,
+  );
+  expect(runs.length).toBe(18);
+  for (const { width, height } of found) expect(width * height).toBeGreaterThan(50);
+  expect(found[0]?.math).toContain("<mfrac>");
+  expect(found[0]?.math).not.toContain("annotation");
+});
+
+test("over the page it is MathML to screen readers, and its text to whoever copies it", () => {
+  const hostile = math(
+    '<mi onclick="alert(1)" href="javascript:alert(1)">x</mi><script xmlns="http://www.w3.org/1999/xhtml">1</script><mtext><img xmlns="http://www.w3.org/1999/xhtml" src="x"/>y</mtext>',
+  );
+  const run = {
+    text: "x^2",
+    x: 0,
+    y: 0,
+    width: 40,
+    height: 20,
+    angle: 0,
+    end: true,
+    math: hostile,
+  };
+  const [span, formula, end] = layText([run], (x, y) => ({ x, y })) as HTMLElement[];
+  expect([span?.textContent, span?.ariaHidden, end?.localName]).toEqual(["x^2", "true", "br"]);
+  expect(formula?.outerHTML.replace(/ (class|style)="[^"]*"/g, "")).toBe(
+    "<math><mi>x</mi><mtext>y</mtext></math>",
+  );
+  const [plain, none] = layText([{ ...run, math: "<p>no" }], (x, y) => ({ x, y })) as HTMLElement[];
+  expect([plain?.ariaHidden, none?.localName]).toEqual([null, "br"]);
+});
