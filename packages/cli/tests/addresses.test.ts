@@ -169,7 +169,7 @@ describe("a book at an address", () => {
 describe("a manifest of IIIF", () => {
   const tests = chromiumForTests();
 
-  it("is read at its address, with the images of its site", { timeout: 120_000 }, async () => {
+  it("is read at its address, with the images of its site", async () => {
     responses.set("/iiif/a/manifest.json", json(manifest("A Book of Two")));
     responses.set("/1.png", send(coloured([200, 40, 40]), { "Content-Type": "image/png" }));
     responses.set("/2.png", send(coloured([40, 40, 200]), { "Content-Type": "image/png" }));

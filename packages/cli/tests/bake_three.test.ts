@@ -126,7 +126,7 @@ it("three shows a fold, the verso's picture on what is folded over", async () =>
   // Of the page one half shows its recto, under the other's verso.
   expect(folded?.blue).toBeGreaterThan(0.25 * (flat?.red ?? 0));
   expect(folded?.red).toBeLessThan(0.6 * (flat?.red ?? 0));
-}, 120_000);
+});
 
 it("three shows the turn where it is, its recto before and its verso after", async () => {
   const at = (name: string): string => join(folder.path, name);
@@ -166,4 +166,4 @@ it("three shows the turn where it is, its recto before and its verso after", asy
   expect(last?.blue).toBeGreaterThan(1000);
   expect(last?.red).toBe(0);
   expect(shown[1]?.red && shown[1].red + (shown[1]?.blue ?? 0)).toBeGreaterThan(500);
-}, 120_000);
+});

@@ -15,7 +15,7 @@ import { type SiteServer, serveSite } from "./site_server.ts";
 export const small: readonly string[] = ["--size", "256", "--workers", "1"];
 /** Books of the tests of many; `TURNLEAF_BOOKS=200 npx vitest run publish` for more. */
 export const bookCount: number = Number(process.env.TURNLEAF_BOOKS ?? 4);
-export const patience: number = 60_000 + 10_000 * bookCount;
+export const patience: number = 120_000 + 10_000 * bookCount;
 
 const folders: ReturnType<typeof folderOf>[] = [];
 
