@@ -120,6 +120,7 @@ function inNode(
         ...["**/node_modules/**", "**/dist/**"],
       ],
       testTimeout: 120_000,
+      hookTimeout: 120_000,
       globalSetup: isOfBuild ? ["scripts/stale_build.mjs"] : [],
       ...beside,
       isolate: !sharesProcess,

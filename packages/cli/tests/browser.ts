@@ -107,8 +107,12 @@ const browsers = new Map<boolean, Promise<Browser>>();
 
 /** Returns the Chromium that draws or the one that does not, launched when it is first needed. */
 function chromiumOf(isDrawn: boolean): Promise<Browser> {
-  const browser = browsers.get(isDrawn) ?? launchChromium(isDrawn);
-  browsers.set(isDrawn, browser);
+  let browser = browsers.get(isDrawn);
+  if (!browser) {
+    browser = launchChromium(isDrawn);
+    browsers.set(isDrawn, browser);
+    browser.catch(() => browsers.delete(isDrawn));
+  }
   return browser;
 }
 
@@ -117,7 +121,8 @@ async function launchChromium(isDrawn: boolean): Promise<Browser> {
   const args = isDrawn
     ? chromiumArguments
     : [...chromiumArguments.filter((flag) => !/swiftshader|gpu/.test(flag)), "--disable-gpu"];
-  const browser = await chromium.launch({ executablePath: findChromium(), args });
+  // As a page, it has no timeout but that of the test or hook that needs it.
+  const browser = await chromium.launch({ executablePath: findChromium(), args, timeout: 0 });
   // One that crashed fails the tests of one file.
   browser.once("disconnected", () => browsers.delete(isDrawn));
   return browser;
