@@ -95,11 +95,18 @@ function inChromium(
   };
 }
 
-/** Files that run in Node, one at a time; those of what is built say so if it is stale. */
+/**
+ * Files that run in Node, one at a time, each in a process of its own unless `sharesProcess`; those of
+ * what is built say so if it is stale.
+ */
 function inNode(
   name: string,
   include: string[],
-  { exclude = [], isOfBuild = false }: { exclude?: string[]; isOfBuild?: boolean } = {},
+  {
+    exclude = [],
+    isOfBuild = false,
+    sharesProcess = false,
+  }: { exclude?: string[]; isOfBuild?: boolean; sharesProcess?: boolean } = {},
 ): TestProjectConfiguration {
   return {
     plugins: [wasmInline(), turnInline(), packedFiles(), workerInline(), svelteFiles()],
@@ -113,8 +120,10 @@ function inNode(
         ...["**/node_modules/**", "**/dist/**"],
       ],
       testTimeout: 120_000,
+      hookTimeout: 120_000,
       globalSetup: isOfBuild ? ["scripts/stale_build.mjs"] : [],
       ...beside,
+      isolate: !sharesProcess,
     },
   };
 }
@@ -127,9 +136,15 @@ export default defineConfig({
   test: {
     projects: [
       inNode("engines", [engines], { isOfBuild: true }),
-      inNode("command", ["packages/cli/**/*.test.ts"], { exclude: [engines], isOfBuild: true }),
+      inNode("command", ["packages/cli/{app,tests}/**/*.test.ts"], {
+        exclude: [engines],
+        isOfBuild: true,
+        // What drives the browsers is loaded once, and they are started once.
+        sharesProcess: true,
+      }),
       inNode("node", [
         "packages/turnleaf/**/*.test.{ts,mjs}",
+        "packages/cli/src/**/*.test.ts",
         "books/**/*.test.{ts,mjs}",
         "scripts/**/*.test.mjs",
       ]),

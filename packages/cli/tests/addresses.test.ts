@@ -5,12 +5,11 @@ import { readdirSync } from "node:fs";
 import { createServer, type RequestListener, type Server } from "node:http";
 import type { AddressInfo } from "node:net";
 import { gzipSync } from "node:zlib";
-import { type Browser, chromium } from "playwright-core";
-import { afterAll, afterEach, beforeAll, describe, expect, it } from "vitest";
-import { chromiumArguments, findChromium } from "../../../scripts/chromium.mjs";
+import { afterAll, afterEach, beforeAll, describe, expect, it, vi } from "vitest";
 import { fetchAddress } from "../src/read/fetch_address.ts";
 import { iiifBooks } from "../src/read/iiif_books.ts";
 import { page as coloured, pdf } from "./books.ts";
+import { chromiumForTests } from "./browser.ts";
 import { ask, folderOf, run, type Started, start } from "./command.ts";
 
 const context = "http://iiif.io/api/presentation/3/context.json";
@@ -55,7 +54,7 @@ function manifest(label: string): Record<string, unknown> {
 }
 
 beforeAll(async () => {
-  process.env.TMPDIR = temporary.path;
+  vi.stubEnv("TMPDIR", temporary.path);
   server = createServer((request, response) => {
     const respond = responses.get(request.url ?? "");
     if (respond) respond(request, response);
@@ -66,6 +65,7 @@ beforeAll(async () => {
   base = `http://127.0.0.1:${(server.address() as AddressInfo).port}/`;
 });
 afterAll(() => {
+  vi.unstubAllEnvs();
   server.closeAllConnections();
   server.close();
   temporary.remove();
@@ -167,19 +167,15 @@ describe("a book at an address", () => {
 });
 
 describe("a manifest of IIIF", () => {
-  let browser: Browser;
-  beforeAll(async () => {
-    browser = await chromium.launch({ executablePath: findChromium(), args: chromiumArguments });
-  });
-  afterAll(() => browser.close());
+  const tests = chromiumForTests();
 
-  it("is read at its address, with the images of its site", { timeout: 120_000 }, async () => {
+  it("is read at its address, with the images of its site", async () => {
     responses.set("/iiif/a/manifest.json", json(manifest("A Book of Two")));
     responses.set("/1.png", send(coloured([200, 40, 40]), { "Content-Type": "image/png" }));
     responses.set("/2.png", send(coloured([40, 40, 200]), { "Content-Type": "image/png" }));
     const served = await serve(`${base}iiif/a/manifest.json`);
     expect(served.stdout).toContain("Turnleaf is reading A Book of Two at ");
-    const page = await browser.newPage({ viewport: { width: 480, height: 360 } });
+    const page = await tests.newPage({ viewport: { width: 480, height: 360 } });
     const complaints: string[] = [];
     page.on("console", (message) => {
       if (message.type() === "error") complaints.push(message.text());
@@ -190,7 +186,6 @@ describe("a manifest of IIIF", () => {
     await page.getByRole("slider").waitFor({ state: "visible" });
     expect(await page.title()).toBe("A Book of Two");
     expect(complaints).toEqual([]);
-    await page.close();
   });
 
   it("of a collection is one of a shelf, collections in it too, and one in itself is left out", async () => {

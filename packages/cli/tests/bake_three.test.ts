@@ -5,10 +5,10 @@ import { createServer, type Server } from "node:http";
 import type { AddressInfo } from "node:net";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
-import { type Browser, chromium, type Page } from "playwright-core";
+import type { Page } from "playwright-core";
 import { afterAll, beforeAll, expect, it } from "vitest";
-import { chromiumArguments, findChromium } from "../../../scripts/chromium.mjs";
 import { page as pageOf } from "./books.ts";
+import { chromiumForTests } from "./browser.ts";
 import { folderOf, run } from "./command.ts";
 
 const modules = fileURLToPath(new URL("../../../node_modules/three/", import.meta.url));
@@ -60,7 +60,7 @@ globalThis.show = async (time) => {
 
 let folder: ReturnType<typeof folderOf>;
 let server: Server;
-let browser: Browser;
+const tests = chromiumForTests({ isDrawn: true, keepsPages: true });
 let page: Page;
 
 beforeAll(async () => {
@@ -81,13 +81,11 @@ beforeAll(async () => {
     }
   });
   await new Promise<void>((resolve) => server.listen(0, "127.0.0.1", resolve));
-  browser = await chromium.launch({ executablePath: findChromium(), args: chromiumArguments });
-  page = await browser.newPage();
+  page = await tests.newPage();
   await page.goto(`http://127.0.0.1:${(server.address() as AddressInfo).port}/`);
   await page.waitForFunction(() => "show" in globalThis);
 });
 afterAll(async () => {
-  await browser.close();
   server.closeAllConnections();
   await new Promise<void>((resolve) => server.close(() => resolve()));
   folder.remove();
@@ -128,7 +126,7 @@ it("three shows a fold, the verso's picture on what is folded over", async () =>
   // Of the page one half shows its recto, under the other's verso.
   expect(folded?.blue).toBeGreaterThan(0.25 * (flat?.red ?? 0));
   expect(folded?.red).toBeLessThan(0.6 * (flat?.red ?? 0));
-}, 120_000);
+});
 
 it("three shows the turn where it is, its recto before and its verso after", async () => {
   const at = (name: string): string => join(folder.path, name);
@@ -168,4 +166,4 @@ it("three shows the turn where it is, its recto before and its verso after", asy
   expect(last?.blue).toBeGreaterThan(1000);
   expect(last?.red).toBe(0);
   expect(shown[1]?.red && shown[1].red + (shown[1]?.blue ?? 0)).toBeGreaterThan(500);
-}, 120_000);
+});

@@ -1,7 +1,13 @@
-/** A Chromium for the tests of a file. */
+/** Pages in Chromium for the tests of a file. */
 
 import { fileURLToPath } from "node:url";
-import { type Browser, type BrowserContextOptions, chromium, type Page } from "playwright-core";
+import {
+  type Browser,
+  type BrowserContext,
+  type BrowserContextOptions,
+  chromium,
+  type Page,
+} from "playwright-core";
 import { build } from "vite";
 import { afterAll, afterEach, beforeAll } from "vitest";
 import { chromiumArguments, findChromium } from "../../../scripts/chromium.mjs";
@@ -12,36 +18,34 @@ export interface ChromiumOptions {
   readonly isDrawn?: boolean;
 }
 
-/** A Chromium that runs while the tests of a file do. */
+/** Pages for the tests of a file. */
 export interface TestChromium {
-  readonly browser: Browser;
-  /** Opens an empty page in a context of its own, closed after the test. It has no timeout but the test's. */
+  /** Opens an empty page in a context of its own. It has no timeout but the test's. */
   newPage(options?: BrowserContextOptions): Promise<Page>;
 }
 
 /**
- * Launches Chromium for the tests of a file; to be called outside them. Closes its pages after each
- * test, unless `keepsPages`.
+ * Opens pages for the tests of a file; to be called outside them. They are closed after each test, or
+ * after all if `keepsPages`.
  */
 export function chromiumForTests({
   isDrawn = false,
   keepsPages = false,
 }: ChromiumOptions & { readonly keepsPages?: boolean } = {}): TestChromium {
-  let browser: Browser;
-  beforeAll(async () => {
-    browser = await launchChromium({ isDrawn });
-  });
-  afterAll(() => browser?.close());
-  if (!keepsPages) {
-    afterEach(async () => {
-      for (const context of browser?.contexts() ?? []) await context.close();
-    });
-  }
+  const contexts: BrowserContext[] = [];
+  const close = async () => {
+    for (const context of contexts.splice(0)) await context.close();
+  };
+  if (keepsPages) afterAll(close);
+  else afterEach(close);
   return {
-    get browser() {
-      return browser;
+    async newPage(options) {
+      const context = await (await chromiumOf(isDrawn)).newContext(options);
+      contexts.push(context);
+      context.setDefaultTimeout(0);
+      if (!isDrawn) await context.addInitScript({ content: await undrawn });
+      return await context.newPage();
     },
-    newPage: (options) => newPage(browser, { ...options, isDrawn }),
   };
 }
 
@@ -53,23 +57,21 @@ export interface TestPage {
 }
 
 /**
- * Launches Chromium with one page for all tests of a file; to be called outside them. After each test
- * the page is left and what its site stored is deleted. That costs half as much as a page for each, as
- * the page's process keeps what it compiled.
+ * Opens one page for all tests of a file; to be called outside them. After each test the page is left
+ * and what its site stored is deleted. That costs half as much as a page for each, as the page's
+ * process keeps what it compiled.
  */
 export function pageForTests({
   isDrawn = false,
   ...options
 }: BrowserContextOptions & ChromiumOptions = {}): TestPage {
-  let browser: Browser;
+  const tests = chromiumForTests({ isDrawn, keepsPages: true });
   let page: Page;
   const complaints: string[] = [];
   beforeAll(async () => {
-    browser = await launchChromium({ isDrawn });
-    page = await newPage(browser, { ...options, isDrawn });
+    page = await tests.newPage(options);
     hearComplaints(page, complaints);
   });
-  afterAll(() => browser?.close());
   afterEach(async () => {
     await leave(page);
     complaints.length = 0;
@@ -100,23 +102,30 @@ async function leave(page: Page): Promise<void> {
   await session.detach();
 }
 
+/** The browsers of all files of tests, which run one after another in this process and end with it. */
+const browsers = new Map<boolean, Promise<Browser>>();
+
+/** Returns the Chromium that draws or the one that does not, launched when it is first needed. */
+function chromiumOf(isDrawn: boolean): Promise<Browser> {
+  let browser = browsers.get(isDrawn);
+  if (!browser) {
+    browser = launchChromium(isDrawn);
+    browsers.set(isDrawn, browser);
+    browser.catch(() => browsers.delete(isDrawn));
+  }
+  return browser;
+}
+
 /** Launches Chromium. Without WebGL it composes its pages on the processor, which costs less. */
-export function launchChromium({ isDrawn = false }: ChromiumOptions = {}): Promise<Browser> {
+async function launchChromium(isDrawn: boolean): Promise<Browser> {
   const args = isDrawn
     ? chromiumArguments
     : [...chromiumArguments.filter((flag) => !/swiftshader|gpu/.test(flag)), "--disable-gpu"];
-  return chromium.launch({ executablePath: findChromium(), args });
-}
-
-/** Opens an empty page in a context of its own. It has no timeout but the test's. */
-export async function newPage(
-  browser: Browser,
-  { isDrawn = false, ...options }: BrowserContextOptions & ChromiumOptions = {},
-): Promise<Page> {
-  const context = await browser.newContext(options);
-  context.setDefaultTimeout(0);
-  if (!isDrawn) await context.addInitScript({ content: await undrawn });
-  return await context.newPage();
+  // As a page, it has no timeout but that of the test or hook that needs it.
+  const browser = await chromium.launch({ executablePath: findChromium(), args, timeout: 0 });
+  // One that crashed fails the tests of one file.
+  browser.once("disconnected", () => browsers.delete(isDrawn));
+  return browser;
 }
 
 const undrawnFile = new URL("../../turnleaf/src/for_tests/undrawn.ts", import.meta.url);

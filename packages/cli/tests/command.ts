@@ -57,9 +57,15 @@ function launch(
   return { child, text, ended };
 }
 
-/** Runs the built command until it ends by itself, or is killed after half a minute. */
+/**
+ * Milliseconds after which a command that does not end is killed: less than a test may take, so that the
+ * test says so, and more than a command takes on a machine that does ten other things as well.
+ */
+const patience = 100_000;
+
+/** Runs the built command until it ends by itself, or is killed as it does not. */
 export const run = (...args: string[]): Promise<Ended> =>
-  launch(args, {}, { timeout: 30_000, killSignal: "SIGKILL" }).ended;
+  launch(args, {}, { timeout: patience, killSignal: "SIGKILL" }).ended;
 
 /**
  * Runs the built command, which draws in a Chromium, until it ends by itself.

@@ -5,10 +5,12 @@ import type { TurnleafBook } from "turnleaf";
 import { afterAll, afterEach, beforeAll, expect, it } from "vitest";
 import { serve } from "../../../examples/serve.mjs";
 import { isWebglComplaint } from "../../../scripts/console_watch.mjs";
-import { launchChromium, newPage, pageForTests } from "./browser.ts";
+import { chromiumForTests, pageForTests } from "./browser.ts";
 import { askBook, bookComesTo, bookSettles, comesTo, textComesTo } from "./waiting.ts";
 
 const tests = pageForTests();
+/** For the one example that is drawn. */
+const drawing = chromiumForTests({ isDrawn: true });
 let page: Page;
 let site: Awaited<ReturnType<typeof serve>>;
 
@@ -81,26 +83,21 @@ async function drag(from: readonly [number, number], to: readonly [number, numbe
 }
 
 it("1: one element opens a PDF, its keys turn it, and WebGL has no complaint", async () => {
-  const browser = await launchChromium({ isDrawn: true });
   const complaints: string[] = [];
-  try {
-    const drawn = await newPage(browser, { isDrawn: true });
-    drawn.on("console", (message) => {
-      if (isWebglComplaint(message.text())) complaints.push(message.text());
-    });
-    await open("01-minimal", { of: drawn });
-    expect(await ask((book) => [book.bookTitle, book.pageCount, book.page])).toEqual([
-      "Moby-Dick; or, The Whale (Chapters 1 to 14)",
-      112,
-      18,
-    ]);
-    await turnFrom(19);
-    await page.locator("turnleaf-book").press("ArrowRight");
-    await comesToPage(20);
-    await bookSettles(page);
-  } finally {
-    await browser.close();
-  }
+  const drawn = await drawing.newPage();
+  drawn.on("console", (message) => {
+    if (isWebglComplaint(message.text())) complaints.push(message.text());
+  });
+  await open("01-minimal", { of: drawn });
+  expect(await ask((book) => [book.bookTitle, book.pageCount, book.page])).toEqual([
+    "Moby-Dick; or, The Whale (Chapters 1 to 14)",
+    112,
+    18,
+  ]);
+  await turnFrom(19);
+  await page.locator("turnleaf-book").press("ArrowRight");
+  await comesToPage(20);
+  await bookSettles(page);
   expect(complaints).toEqual([]);
 });
 

@@ -111,7 +111,7 @@ describe.each([
   ["of images, in space", ["/book.json"], false, 12],
   ["of images and of PDF, on the flat", ["/book.json", "/book.pdf"], true, 18],
 ])("books that come and go: %s", (_, sources, flat, firstBooks) => {
-  test("some of them leave nothing behind", { timeout: 120_000 }, async () => {
+  test("some of them leave nothing behind", async () => {
     const file = pdf(9);
     const pages = images(12);
     const respond = (path: string) => (path === "/book.pdf" ? file : pages(path));
@@ -158,9 +158,7 @@ describe.each([
   });
 });
 
-test("a book of 5,000 pages opens with few of them, goes far and back", {
-  timeout: 120_000,
-}, async () => {
+test("a book of 5,000 pages opens with few of them, goes far and back", async () => {
   const { page, asked, complaints } = await open(images(pageCount));
   await show(page, "/book.json", { duration: "300" });
   expect(await page.evaluate(() => document.querySelector("turnleaf-book")?.pageCount)).toBe(5000);

@@ -2,17 +2,11 @@
 
 import { readFileSync } from "node:fs";
 import { createRequire } from "node:module";
-import type { Browser, Page } from "playwright-core";
+import type { Page } from "playwright-core";
 import { decodeTurn } from "turnleaf/keyframes";
 import { afterAll, afterEach, beforeAll, expect, it } from "vitest";
 import { firstSettings } from "../app/playground/settings.ts";
-import {
-  type ChromiumOptions,
-  hearComplaints,
-  launchChromium,
-  newPage,
-  pageForTests,
-} from "./browser.ts";
+import { chromiumForTests, hearComplaints, pageForTests, type TestChromium } from "./browser.ts";
 import { type Started, startServing } from "./command.ts";
 import { comesTo, passTime, passTimeUntil, stopClock, textComesTo } from "./waiting.ts";
 
@@ -25,6 +19,8 @@ const [fast, slow] = [50, 250];
 
 /** The page of all tests but the few that need one of their own; its time passes as a test lets it. */
 const tests = pageForTests({ locale: "en-GB" });
+const drawn = chromiumForTests({ isDrawn: true });
+const undrawn = chromiumForTests();
 
 let served: Started;
 let page: Page;
@@ -39,7 +35,6 @@ afterAll(async () => {
   expect(ended?.stderr).toBe("");
 });
 afterEach(async () => {
-  if (page !== tests.page) await page.context().close();
   expect(tests.complaints.splice(0)).toEqual([]);
 });
 
@@ -64,12 +59,12 @@ async function open(link = ""): Promise<void> {
 
 /** Opens the playground in a page whose time passes as on the machine. */
 async function openRunning(link = "", size = usual): Promise<void> {
-  await openFresh(tests.page.context().browser() as Browser, {});
+  await openFresh(undrawn);
   await load(link, size);
 }
 
-async function openFresh(browser: Browser, options: ChromiumOptions): Promise<void> {
-  page = await newPage(browser, { ...options, locale: "en-GB" });
+async function openFresh(of: TestChromium): Promise<void> {
+  page = await of.newPage({ locale: "en-GB" });
   hearComplaints(page, tests.complaints);
 }
 
@@ -105,19 +100,14 @@ const goDown = () => passTimeUntil(page, async () => !(await page.evaluate(areBo
 const press = (name: string) => page.getByRole("button", { name, exact: true }).click();
 
 it("draws two leaves and all that is drawn on them without a complaint", async () => {
-  const drawing = await launchChromium({ isDrawn: true });
-  try {
-    const all = "left=springs-both&masses=yes&springs=yes&lines=yes&strain=yes";
-    await openFresh(drawing, { isDrawn: true });
-    await stopClock(page);
-    await load(all, { width: 300, height: 240 });
-    await isStill();
-    await press("Turn by edge");
-    await passTimeUntil(page, () => page.evaluate(areBothUp), 120);
-    expect(tests.complaints).toEqual([]);
-  } finally {
-    await drawing.close();
-  }
+  const all = "left=springs-both&masses=yes&springs=yes&lines=yes&strain=yes";
+  await openFresh(drawn);
+  await stopClock(page);
+  await load(all, { width: 300, height: 240 });
+  await isStill();
+  await press("Turn by edge");
+  await passTimeUntil(page, () => page.evaluate(areBothUp), 120);
+  expect(tests.complaints).toEqual([]);
 });
 
 it("shows two leaves without a complaint, and asks for no frame at rest", async () => {
@@ -372,7 +362,7 @@ it("records a turn as a film and as key frames of either leaf", async () => {
   }
   const film = await downloaded(() => files.first().click());
   // Without a policy that forbids films.
-  const bare = await (page.context().browser() as Browser).newPage();
+  const bare = await undrawn.newPage();
   const seen = await bare.evaluate(async (base64) => {
     const bytes = Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
     const video = document.createElement("video");
@@ -384,7 +374,6 @@ it("records a turn as a film and as key frames of either leaf", async () => {
     });
     return [video.videoWidth, video.videoHeight];
   }, film.bytes.toString("base64"));
-  await bare.close();
   expect(Math.min(...seen)).toBeGreaterThan(100);
 });
 

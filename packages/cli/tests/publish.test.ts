@@ -26,10 +26,14 @@ import {
   manyBooks,
   patience,
   publish,
+  removeFolders,
   small,
-  visit,
+  visitorForTests,
 } from "./publishing.ts";
 import { comesTo } from "./waiting.ts";
+
+removeFolders();
+const { visit } = visitorForTests();
 
 /** Two books at a time. */
 const byTwo = ["--workers", "2"];

@@ -4,7 +4,9 @@ import { join } from "node:path";
 import { describe, expect, it, test } from "vitest";
 import { parseCommand } from "../src/arguments.ts";
 import { listBooks } from "../src/publish/catalogue.ts";
-import { folder } from "./publishing.ts";
+import { folder, removeFolders } from "./publishing.ts";
+
+removeFolders();
 
 describe("what cannot be published ends with one sentence", () => {
   it.each([

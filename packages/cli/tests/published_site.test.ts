@@ -5,7 +5,18 @@ import { join } from "node:path";
 import type { TurnleafBook } from "turnleaf";
 import { beforeAll, describe, expect, it } from "vitest";
 import { png, textPdf } from "./books.ts";
-import { filesOf, folder, newPage, patience, publish, small, visit } from "./publishing.ts";
+import {
+  filesOf,
+  folder,
+  patience,
+  publish,
+  removeFolders,
+  small,
+  visitorForTests,
+} from "./publishing.ts";
+
+removeFolders();
+const { newPage, visit } = visitorForTests();
 
 /** Runs in a page. Returns the width of an image's file once it is loaded. */
 const widthOnceLoaded = async (element: SVGElement | HTMLElement): Promise<number> => {

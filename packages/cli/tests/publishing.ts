@@ -4,10 +4,10 @@ import type { ChildProcess } from "node:child_process";
 import { createHash } from "node:crypto";
 import { readdirSync, readFileSync, statSync } from "node:fs";
 import { join } from "node:path";
-import type { Browser, BrowserContextOptions, Page } from "playwright-core";
+import type { BrowserContextOptions, Page } from "playwright-core";
 import { afterAll, afterEach } from "vitest";
 import { textPdf } from "./books.ts";
-import { hearComplaints, launchChromium, newPage as newPageIn } from "./browser.ts";
+import { chromiumForTests, hearComplaints } from "./browser.ts";
 import { type Ended, folderOf, runWithChromium } from "./command.ts";
 import { type SiteServer, serveSite } from "./site_server.ts";
 
@@ -15,22 +15,18 @@ import { type SiteServer, serveSite } from "./site_server.ts";
 export const small: readonly string[] = ["--size", "256", "--workers", "1"];
 /** Books of the tests of many; `TURNLEAF_BOOKS=200 npx vitest run publish` for more. */
 export const bookCount: number = Number(process.env.TURNLEAF_BOOKS ?? 4);
-export const patience: number = 60_000 + 10_000 * bookCount;
+export const patience: number = 120_000 + 10_000 * bookCount;
 
 const folders: ReturnType<typeof folderOf>[] = [];
-const servers: SiteServer[] = [];
-let browser: Browser | undefined;
 
-afterEach(async () => {
-  for (const context of browser?.contexts() ?? []) await context.close();
-  for (const server of servers.splice(0)) await server.stop();
-});
-afterAll(async () => {
-  await browser?.close();
-  for (const folder of folders) folder.remove();
-}, patience);
+/** Removes the folders that the tests of a file have made, once they ended; to be called outside them. */
+export function removeFolders(): void {
+  afterAll(() => {
+    for (const folder of folders.splice(0)) folder.remove();
+  }, patience);
+}
 
-/** Creates a folder of the given files, deleted when all tests have run. */
+/** Creates a folder of the given files, deleted by {@link removeFolders}. */
 export function folder(files: Record<string, string | Uint8Array> = {}): string {
   const made = folderOf(files);
   folders.push(made);
@@ -77,23 +73,39 @@ export function manyBooks(count: number): string[] {
   return names.map((name) => join(path, name));
 }
 
-/** Returns an empty page of a Chromium, closed after the test. */
-export async function newPage(options: BrowserContextOptions = {}): Promise<Page> {
-  browser ??= await launchChromium();
-  return await newPageIn(browser, options);
+/** A page of a published site, with its server, and its errors and warnings in `said`. */
+interface Visit {
+  readonly page: Page;
+  readonly server: SiteServer;
+  readonly said: string[];
 }
 
-/** Opens a page of a site in a Chromium; `said` gets its errors and warnings. */
-export async function visit(
-  site: string,
-  address = "",
-  options: BrowserContextOptions = {},
-): Promise<{ page: Page; server: SiteServer; said: string[] }> {
-  const server = await serveSite(site);
-  servers.push(server);
-  const page = await newPage(options);
-  const said: string[] = [];
-  hearComplaints(page, said);
-  await page.goto(server.url + address);
-  return { page, server, said };
+/** Visits published sites for the tests of a file. */
+interface Visitor {
+  /** Opens an empty page, closed after the test. */
+  newPage(options?: BrowserContextOptions): Promise<Page>;
+  /** Opens a page of a site, which is served until the test ends. */
+  visit(site: string, address?: string, options?: BrowserContextOptions): Promise<Visit>;
+}
+
+/** Visits published sites in the tests of a file; to be called outside them. */
+export function visitorForTests(): Visitor {
+  const servers: SiteServer[] = [];
+  // After their pages were closed: the last hook runs first.
+  afterEach(async () => {
+    for (const server of servers.splice(0)) await server.stop();
+  });
+  const { newPage } = chromiumForTests();
+  return {
+    newPage,
+    async visit(site, address = "", options = {}) {
+      const server = await serveSite(site);
+      servers.push(server);
+      const page = await newPage(options);
+      const said: string[] = [];
+      hearComplaints(page, said);
+      await page.goto(server.url + address);
+      return { page, server, said };
+    },
+  };
 }

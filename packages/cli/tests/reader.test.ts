@@ -1,13 +1,13 @@
 import { rmSync } from "node:fs";
 import { join } from "node:path";
-import type { Browser, FileChooser, Page } from "playwright-core";
+import type { FileChooser, Page } from "playwright-core";
 import type { TurnleafBook } from "turnleaf";
 import { afterAll, beforeAll, describe, expect, it } from "vitest";
 import { rar4, rar5, sevenZip } from "../../turnleaf/src/for_tests/stored_archives.ts";
 import { tinyFb2 } from "../../turnleaf/src/sources/fb2/tiny_fb2.ts";
 import { tinyKf8, tinyMobi } from "../../turnleaf/src/sources/kindle/tiny_kindle.ts";
 import { pdf, png } from "./books.ts";
-import { launchChromium, newPage } from "./browser.ts";
+import { chromiumForTests } from "./browser.ts";
 import { folderOf, type Started, start } from "./command.ts";
 import {
   bookComesTo,
@@ -18,7 +18,7 @@ import {
   pauseClock,
 } from "./waiting.ts";
 
-let browser: Browser;
+const tests = chromiumForTests({ keepsPages: true });
 let page: Page;
 let served: Started;
 let folder: ReturnType<typeof folderOf>;
@@ -56,8 +56,7 @@ beforeAll(async () => {
     "hero.cb7": Buffer.from(sevenZip({ "1.png": png(30, 40), "2.png": png(30, 40) })),
   });
   served = await start(join(folder.path, "small.pdf"), "--port", "0");
-  browser = await launchChromium();
-  page = await newPage(browser, { viewport: { width: 480, height: 360 }, reducedMotion: "reduce" });
+  page = await tests.newPage({ viewport: { width: 480, height: 360 }, reducedMotion: "reduce" });
   await page.clock.install();
   page.on("pageerror", (error) => complaints.push(error.message));
   page.on("console", (message) => {
@@ -68,8 +67,7 @@ beforeAll(async () => {
   });
 });
 afterAll(async () => {
-  await browser.close();
-  await served.stop();
+  await leave(served);
   folder.remove();
 });
 

@@ -1,20 +1,19 @@
 /** The built files for a script tag, on pages without an import map, under a strict policy. */
 
 import { readFileSync } from "node:fs";
-import type { Browser, Page } from "playwright-core";
+import type { Page } from "playwright-core";
 import { expect, test } from "vitest";
 import { pdf, png } from "./books.ts";
-import { hearComplaints, pageForTests } from "./browser.ts";
+import { chromiumForTests, hearComplaints, pageForTests } from "./browser.ts";
 import { sitesForTests } from "./viewer_page.ts";
 import { askBook as ask, bookComesTo, bookSettles, comesTo } from "./waiting.ts";
 
 const sites = sitesForTests();
 const tests = pageForTests({ viewport: { width: 400, height: 300 } });
+const others = chromiumForTests();
 
 const policy =
   "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; worker-src blob:; style-src 'self'; connect-src 'self'";
-
-const browser = () => tests.page.context().browser() as Browser;
 
 /** Opens a page of a body and scripts. Returns it with its console messages. */
 async function visit(
@@ -31,9 +30,7 @@ async function visit(
     (path) => files[path] ?? (path.endsWith(".png") ? png(60, 90) : null),
     policy,
   );
-  const page = javaScriptEnabled
-    ? tests.page
-    : await (await browser().newContext({ javaScriptEnabled })).newPage();
+  const page = javaScriptEnabled ? tests.page : await others.newPage({ javaScriptEnabled });
   const said: string[] = [];
   hearComplaints(page, said);
   await page.goto(`${site.url}page.html`);

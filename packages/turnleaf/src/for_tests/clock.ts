@@ -127,6 +127,8 @@ interface TestClock {
   hold(): void;
   /** Has frames drawn whenever they are requested. */
   run(): void;
+  /** Has the frames that are requested never drawn: of what requests them for ever, once it is not looked at. */
+  dropRequests(): void;
   /** Draws some frames at once, and calls `look` after each of them. */
   frames(count: number, look?: () => void): void;
   /** Lets milliseconds pass, with the frames that are requested meanwhile and a task after each. */
@@ -156,6 +158,9 @@ export const clock: TestClock = {
   run() {
     isHeld = false;
     schedule();
+  },
+  dropRequests() {
+    requests.clear();
   },
   frames(count, look = () => undefined) {
     for (let k = 0; k < count; k++) {

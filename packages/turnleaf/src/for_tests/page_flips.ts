@@ -2,6 +2,7 @@
 
 import { PageFlip as Original } from "page-flip/dist/js/page-flip.module.js";
 import { type FlipEvents, type FlipSetting, PageFlip } from "../page_flip/index.ts";
+import { clock } from "./clock.ts";
 import { eventually } from "./eventually.ts";
 
 /** The interface that both have. */
@@ -40,6 +41,12 @@ export interface ShownBook {
   readonly log: [name: string, data: unknown][];
 }
 
+/** Empties the document of books. page-flip's own would have frames drawn for ever, removed or not. */
+export function removeBooks(): void {
+  document.body.replaceChildren();
+  clock.dropRequests();
+}
+
 /** Makes a host of some style, with a book in it. */
 export function make(
   made: BookClass,
@@ -70,6 +77,18 @@ export async function opened(
   await eventually(() => shown.log.some(([name]) => name === "init")).toBe(true);
   return { ...shown, pages };
 }
+
+/**
+ * Waits until the open book of the drop-in fills its rectangle at rest. The browser tells of new sizes in
+ * its own time: laid out once, the book is measured and laid out anew.
+ */
+export const fillsRect = (book: PageFlip): Promise<void> =>
+  eventually(() => {
+    const { width, pageWidth } = book.getBoundsRect();
+    const element = book.getBook();
+    const shown = element?.settled ? (element.bookBounds?.width ?? 0) : 0;
+    return Math.abs(shown - (book.getOrientation() === "portrait" ? pageWidth : width));
+  }).toBeLessThan(2);
 
 /** Waits until the last state of a log is `read` again, after others. */
 export const hasRead = (

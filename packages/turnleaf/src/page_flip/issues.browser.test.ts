@@ -6,7 +6,14 @@
 import { afterEach, expect, test, vi } from "vitest";
 import { clock } from "../for_tests/clock.ts";
 import { eventually } from "../for_tests/eventually.ts";
-import { hasRead, htmlPages, make, opened as openedBy, pageSize } from "../for_tests/page_flips.ts";
+import {
+  fillsRect,
+  hasRead,
+  htmlPages,
+  make,
+  opened as openedBy,
+  pageSize,
+} from "../for_tests/page_flips.ts";
 import type { TurnleafBook } from "../index.ts";
 import { PageFlip } from "./index.ts";
 
@@ -124,6 +131,7 @@ test("#22: pages given anew are turned by clicks, and fit a host of another size
   await updates;
   around.style.width = "300px";
   await eventually(() => book.getBoundsRect().pageWidth).toBe(150);
+  await fillsRect(book);
   const { left, top } = host.getBoundingClientRect();
   click(elementOf(book), left + 200, top + 50);
   await eventually(() => book.getCurrentPageIndex()).toBe(2);

@@ -19,9 +19,10 @@ import {
   make,
   opened,
   pageSize,
+  removeBooks,
 } from "../for_tests/page_flips.ts";
 
-afterEach(() => document.body.replaceChildren());
+afterEach(removeBooks);
 
 /** What both do, or what each does. */
 type Outcome = { both: unknown } | { original: unknown; ours: unknown };
@@ -314,7 +315,7 @@ test.each(Object.entries(patterns))("%s", async (_, [run, outcome]) => {
   const seen: Record<string, unknown> = {};
   for (const [name, made] of classes) {
     seen[name] = await run(made);
-    document.body.replaceChildren();
+    removeBooks();
   }
   const [original, ours] =
     "both" in outcome ? [outcome.both, outcome.both] : [outcome.original, outcome.ours];

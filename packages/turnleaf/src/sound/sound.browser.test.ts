@@ -3,6 +3,7 @@ import { userEvent } from "vitest/browser";
 import type { Stock } from "../engine/shapes.ts";
 import { book, happens, scans } from "../for_tests/element_books.ts";
 import { eventually } from "../for_tests/eventually.ts";
+import type { TurnleafBook } from "../index.ts";
 import type { Motion } from "./motion.ts";
 import { PaperSound } from "./paper_sound.ts";
 
@@ -54,13 +55,16 @@ test("tearing is heard by the work that is done, and no longer than it is done",
 
 const Native = globalThis.AudioContext;
 const made: AudioContext[] = [];
+/** States that the contexts have been in, one after another: one may last a moment. */
+const states: AudioContextState[] = [];
 
 beforeEach(() => {
-  made.length = 0;
+  made.length = states.length = 0;
   globalThis.AudioContext = class extends Native {
     constructor(options?: AudioContextOptions) {
       super(options);
       made.push(this);
+      this.addEventListener("statechange", () => states.push(this.state));
     }
   };
 });
@@ -68,6 +72,21 @@ beforeEach(() => {
 afterEach(() => {
   globalThis.AudioContext = Native;
 });
+
+/** Opens a book with sound and turns leaves until the code for it, which the first turn loads, makes a context. */
+async function soundingBook(): Promise<TurnleafBook> {
+  const element = book(scans(8), { cover: "none", sound: "" });
+  expect(element.sound).toBe(true);
+  await happens(element, "load");
+  expect(made).toEqual([]);
+  await userEvent.click(document.body);
+  await element.next();
+  // As an element loads it: it may be late for any number of turns.
+  await import("./sound.ts");
+  await element.next();
+  expect(made.length).toBe(1);
+  return element;
+}
 
 test("nothing is made where nobody asked for sound", async () => {
   const element = book(scans(4), { cover: "none" });
@@ -79,31 +98,17 @@ test("nothing is made where nobody asked for sound", async () => {
 });
 
 test("with sound, a context runs while leaves move, is suspended at rest and closed with the book", async () => {
-  const element = book(scans(8), { cover: "none", sound: "" });
-  expect(element.sound).toBe(true);
-  await happens(element, "load");
-  expect(made).toEqual([]);
-  await userEvent.click(document.body);
+  const element = await soundingBook();
+  await eventually(() => states).toEqual(["running", "suspended"]);
   await element.next();
-  // The code for sound is loaded with the first turn and may be late for it.
-  await element.next();
-  expect(made.length).toBe(1);
-  const [context] = made;
-  await eventually(() => context.state).toBe("suspended");
-  const turn = element.next();
-  await eventually(() => context.state).toBe("running");
-  await turn;
+  await eventually(() => states).toEqual(["running", "suspended", "running", "suspended"]);
   element.remove();
-  await eventually(() => context.state).toBe("closed");
+  await eventually(() => states.at(-1)).toBe("closed");
   expect(made.length).toBe(1);
 });
 
 test("taking the attribute away silences the book", async () => {
-  const element = book(scans(8), { cover: "none", sound: "" });
-  await happens(element, "load");
-  await userEvent.click(document.body);
-  await element.next();
-  await element.next();
+  const element = await soundingBook();
   element.sound = false;
   await eventually(() => made[0].state).toBe("closed");
   await element.next();

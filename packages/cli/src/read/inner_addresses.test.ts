@@ -4,12 +4,12 @@ import { once } from "node:events";
 import { createServer, type Server } from "node:http";
 import type { AddressInfo } from "node:net";
 import { afterAll, beforeAll, expect, test, vi } from "vitest";
-import { fetchAddress } from "../src/read/fetch_address.ts";
-import { isInnerAddress, type Place } from "../src/read/network.ts";
+import { fetchAddress } from "./fetch_address.ts";
+import { isInnerAddress, type Place } from "./network.ts";
 
 /** A server of this machine stands for one of the internet, by a name. */
-vi.mock("../src/read/network.ts", async (original) => {
-  const real = await original<typeof import("../src/read/network.ts")>();
+vi.mock("./network.ts", async (original) => {
+  const real = await original<typeof import("./network.ts")>();
   const placeOf = async (hostname: string): Promise<Place> => {
     if (hostname !== "public.example") return await real.placeOf(hostname);
     return { ...(await real.placeOf("127.0.0.1")), isInner: false };
