@@ -39,7 +39,7 @@ const apart = [
   part("recorded turns", 20, "replay sheet_turn shell_turn"),
   part("opens a book of any format", 10, "open"),
   part("photographs of a turn", 9, "photographs images image_header"),
-  part("folded pages, leaves torn out", 237, "creasable_book folds line_folds tearing torn_pages"),
+  part("folded pages, leaves torn out", 227, "creasable_book folds line_folds tearing torn_pages"),
   part("pages that are elements, live in the air", 1, "live_drawings"),
   part("pages that are scrolled", 4, "roll_view"),
   part("sounds and films on a page", 1, "page_media"),

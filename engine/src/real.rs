@@ -80,3 +80,17 @@ macro_rules! real {
 
 real!(f32, Four);
 real!(f64, FourDoubles);
+
+/// Returns `value`, or the bound that it lies beyond: `low` at the least, `high` at the most. As
+/// `clamp`, whose check that the bounds are in order prints them: what prints numbers is 20 kB of WASM.
+/// To be used where the bounds are not constants.
+#[inline(always)]
+pub fn bounded<T: PartialOrd>(value: T, low: T, high: T) -> T {
+    if value < low {
+        low
+    } else if value > high {
+        high
+    } else {
+        value
+    }
+}

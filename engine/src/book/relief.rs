@@ -6,6 +6,7 @@
 //! in.
 
 use super::tolerance::SLIVER;
+use crate::real::bounded;
 
 /// How steeply heights fall off at most, as a sheet drapes over a rim.
 const SLOPE: f32 = 1.0;
@@ -104,7 +105,7 @@ impl Relief {
         if !sides.iter().all(|side| *side <= longest) {
             return relief;
         }
-        let falling = (high[2] - table).clamp(0.0, longest) / (SLOPE * spacing);
+        let falling = bounded(high[2] - table, 0.0, longest) / (SLOPE * spacing);
         let margin = 2 + libm::ceilf(falling) as i32;
         relief.first = [0, 1].map(|axis| lattice.before(low[axis]) - margin);
         let last = [0, 1].map(|axis| lattice.before(high[axis]) + 1 + margin);

@@ -5,6 +5,7 @@ use super::settings::InvalidLoose;
 use super::table_sheet::CreaseState;
 use crate::drawn_mesh::DrawnMesh;
 use crate::models::sheet::FoldLine;
+use crate::real::bounded;
 
 impl LooseLeaf {
     /// Creases a sheet along lines, pressed by hand, each two places (u and v) on it and the
@@ -34,7 +35,7 @@ impl LooseLeaf {
     pub fn press(&mut self, crease: usize, rest: f32) {
         if let (true, Some(sheet)) = (!rest.is_nan(), self.body.sheet_mut()) {
             let half = core::f32::consts::PI;
-            sheet.press(crease, rest.clamp(-half, half));
+            sheet.press(crease, bounded(rest, -half, half));
         }
     }
 

@@ -12,6 +12,7 @@ use crate::book::limits::TICK;
 use crate::book::phase::Phase;
 use crate::grab::strongest;
 use crate::grid::Side;
+use crate::real::bounded;
 use core::f32::consts::PI;
 
 /// Time in which a hand leads a leaf of the usual width through half of the half turn, seconds:
@@ -105,7 +106,7 @@ impl Leaf {
         // Drag on a flat leaf: of each strip by the square of its speed.
         let square = width * width;
         let slowing = drag * height * square * square / 4.0 * rate * rate.abs();
-        let torque = (inertia * wanted + slowing - sign * fall).clamp(-most, most);
+        let torque = bounded(inertia * wanted + slowing - sign * fall, -most, most);
         // Held from below its folds would fall open.
         let torque = if self.sheet.is_creased() {
             torque.max(0.0)

@@ -6,6 +6,7 @@
 //! meanwhile is not counted: it is light, and whips about whenever a bit of the path parts.
 
 use crate::models::sheet::{Sheet, wrapped};
+use crate::real::bounded;
 use crate::vector::sub;
 
 /// Swing of the pull that a path follows, radians: less is no more than a hand trembles, and what
@@ -76,10 +77,8 @@ impl TearHeading {
         let angle = last.angle_of(way)?;
         self.asked += wrapped(angle - last.angle);
         last.angle = angle;
-        let bounded = self
-            .asked
-            .clamp(self.begun - MOST_TURN, self.begun + MOST_TURN);
-        let more = bounded - self.given;
+        let (least, most) = (self.begun - MOST_TURN, self.begun + MOST_TURN);
+        let more = bounded(self.asked, least, most) - self.given;
         if more.abs() < LEAST_SWING {
             return None;
         }

@@ -20,6 +20,7 @@ use super::settings::{Root, SheetSettings};
 use super::system::System;
 use crate::lanes::Four;
 use crate::models::plastic_hinge::Plasticity;
+use crate::real::bounded;
 use crate::rigidity::Rigidity;
 use core::f32::consts::PI;
 
@@ -462,7 +463,7 @@ impl Fold {
         if beyond == 0.0 {
             return 0.0;
         }
-        let rest = (self.rest + beyond).clamp(-self.tightest, self.tightest);
+        let rest = bounded(self.rest + beyond, -self.tightest, self.tightest);
         let moment = self.spring * turned.abs().min(plasticity.yields as f32);
         let work = moment * (rest - self.rest).abs();
         self.rest = rest;

@@ -8,6 +8,7 @@
 use super::crease::FoldLine;
 use super::flat::{distance, twice_area};
 use super::settings::{CAN_CREASE, CAN_TEAR, SheetSettings};
+use crate::real::bounded;
 use core::ops::Range;
 
 /// Least area of a triangle, over that which half of its cell has without creases.
@@ -325,7 +326,7 @@ impl Material {
             last = last.min(ends[0].max(ends[1]));
         }
         let at =
-            |t: f64| core::array::from_fn(|axis| (a[axis] + t * way[axis]).clamp(0.0, size[axis]));
+            |t: f64| core::array::from_fn(|axis| bounded(a[axis] + t * way[axis], 0.0, size[axis]));
         Some(Line {
             from: at(first),
             to: at(last),

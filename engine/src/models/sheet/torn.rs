@@ -5,6 +5,7 @@ use super::flat::length;
 use super::material::Material;
 use super::torn_grid::{Frame, TornGrid};
 use super::torn_path::{even_stations, places_along};
+use crate::real::bounded;
 
 /// Drawn cells along a side of one of the grid.
 const PARTS: usize = 3;
@@ -93,7 +94,7 @@ impl Torn {
                         rise
                     };
                 drawn.places[row * columns + column] = [0, 1]
-                    .map(|axis| (place[axis] + by * along[axis]).clamp(0.0, drawn.size[axis]));
+                    .map(|axis| bounded(place[axis] + by * along[axis], 0.0, drawn.size[axis]));
             }
         }
         drawn

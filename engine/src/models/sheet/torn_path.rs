@@ -1,6 +1,7 @@
 //! The line along which a page is torn: as it is asked for, smoothed, and as a hand tears along it.
 
 use super::flat::{Place, distance, length};
+use crate::real::bounded;
 
 /// Points of the path, which lie some millimetres apart on any page.
 pub(super) const POINTS: usize = 65;
@@ -55,7 +56,7 @@ pub(super) fn strayed(path: &[Place], size: [f64; 2]) -> Vec<Place> {
         let normal = [(a[1] - b[1]) / long, (b[0] - a[0]) / long];
         let by = stray(k as f64 / last as f64, all);
         let place = [0, 1].map(|axis| points[k][axis] + by * normal[axis]);
-        [0, 1].map(|axis| place[axis].clamp(0.0, size[axis]))
+        [0, 1].map(|axis| bounded(place[axis], 0.0, size[axis]))
     };
     let mut strayed: Vec<Place> = (0..POINTS).map(place).collect();
     (strayed[0], strayed[last]) = (points[0], points[last]);

@@ -4,6 +4,7 @@
 use super::flat::{Place, distance, length};
 use super::torn_grid::TornGrid;
 use super::torn_path::{STRAYS_OVER, stray};
+use crate::real::bounded;
 use core::f64::consts::PI;
 
 /// Least radius of a path, in cells: nodes follow it with a few along a quarter of a circle.
@@ -217,8 +218,13 @@ fn arc_to_edge(
             continue;
         }
         let edge = usize::from(parts[1] < parts[0]);
-        let mut place = [0, 1]
-            .map(|axis| (last[axis] + part * (next[axis] - last[axis])).clamp(0.0, size[axis]));
+        let mut place = [0, 1].map(|axis| {
+            bounded(
+                last[axis] + part * (next[axis] - last[axis]),
+                0.0,
+                size[axis],
+            )
+        });
         place[edge] = if next[edge] < 0.0 { 0.0 } else { size[edge] };
         if distance(place, last) < 1e-3 * step && line.len() > 1 {
             line.pop();
@@ -248,7 +254,7 @@ fn strayed_from(from: Place, before: f64, line: &[Place], size: [f64; 2]) -> Vec
         along += distance(line[k - 1], line[k]);
         let normal = normal_at(k);
         let by = own(along) + off * (1.0 - along / fades).max(0.0);
-        let place = [0, 1].map(|axis| (line[k][axis] + by * normal[axis]).clamp(0.0, size[axis]));
+        let place = [0, 1].map(|axis| bounded(line[k][axis] + by * normal[axis], 0.0, size[axis]));
         places.push(place);
     }
     places[line.len() - 1] = line[line.len() - 1];
