@@ -5,6 +5,7 @@ import "vitest/browser";
 declare module "vitest/browser" {
   interface BrowserCommands {
     webglComplaints(): Promise<string[]>;
+    processUse(): Promise<{ seconds: number; bytes: number | null }>;
     requestsElsewhere(): Promise<string[]>;
   }
 }
