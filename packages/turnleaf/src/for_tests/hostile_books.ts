@@ -121,6 +121,10 @@ const chapters: Readonly<Record<string, readonly [css: string, body: string]>> =
     "html { --a: 3000000; --b: var(--a); } div { display: grid; } p { grid-row-start: var(--b); }",
     "<div><p>a</p></div>",
   ],
+  "a grid of millions of rows by a shorthand, half of it overridden": [
+    "html { --a: repeat(3000000, 1px) / 1px; } div { display: grid; grid-template: var(--a); grid-template-columns: 2px; }",
+    "<div><p>a</p></div>",
+  ],
   "rules that look for descendants": [
     times(300, (k) => `*:has(.a${k} ~ .b) { color: red; }`),
     "<div><p>a</p></div>".repeat(20_000),

@@ -6,6 +6,7 @@
 
 import { claimedSize } from "./image_header.ts";
 import { limits } from "./limits.ts";
+import { carriedName, withCarriedShorthands } from "./markup/carried_shorthands.ts";
 import { dataPicture } from "./markup/data_address.ts";
 import { errorIn, parseMarkup } from "./markup/parse_markup.ts";
 import { BookError } from "./page_source.ts";
@@ -228,7 +229,8 @@ class Count {
     for (const declaration of text.split(";")) {
       const at = declaration.indexOf(":");
       if (at < 0) continue;
-      this.#checkValue(declaration.slice(0, at).trim(), declaration.slice(at + 1), values);
+      const name = carriedName(declaration.slice(0, at).trim());
+      this.#checkValue(name, declaration.slice(at + 1), values);
     }
   }
 
@@ -428,7 +430,7 @@ function cornersOf(element: Element): number {
 /** Returns all rules of a style sheet, those within others too. */
 function rulesOf(css: string): CSSStyleRule[] {
   const sheet = new CSSStyleSheet();
-  sheet.replaceSync(css);
+  sheet.replaceSync(withCarriedShorthands(css));
   const rules: CSSStyleRule[] = [];
   const read = (list: CSSRuleList): void => {
     for (const rule of list) {

@@ -1,6 +1,7 @@
 /** Style sheets of books: what could fetch anything is taken out or put in as data. */
 
 import { limits } from "../limits.ts";
+import { carriedName, withCarriedShorthands } from "./carried_shorthands.ts";
 import { pagedValue } from "./paged_css.ts";
 import { withoutPrefixes } from "./prefixed_css.ts";
 
@@ -15,6 +16,9 @@ const string = /"(?:[^"\\\n\r\f]|\\[\s\S])*"?|'(?:[^'\\\n\r\f]|\\[\s\S])*'?/g;
 
 /** The name of a layer; one of other characters could end its rule. */
 const layerName = /^[\w.-]*$/;
+
+/** The name of a property; a custom one of other characters could end its declaration. */
+const propertyName = /^[\w\u0080-\uffff-]+$/;
 
 /** A picture or a font in a clean style sheet. */
 const dataAddress = /url\("data:[^"]*"\)/g;
@@ -36,7 +40,7 @@ export interface CleanSheet {
  */
 export async function cleanCss(css: string, resolve: ResolveCss): Promise<CleanSheet> {
   const sheet = new CSSStyleSheet();
-  sheet.replaceSync(withoutPrefixes(css));
+  sheet.replaceSync(readable(css));
   const namespaces = [...sheet.cssRules].filter((rule) => rule instanceof CSSNamespaceRule);
   return {
     namespaces: namespaces.map((rule) => rule.cssText).join("\n"),
@@ -87,14 +91,25 @@ export function cssOf({ namespaces, rules }: CleanSheet): string {
 }
 
 /** Returns the declarations of a style attribute, cleaned alike. */
-export async function cleanDeclarations(
-  style: CSSStyleDeclaration,
-  resolve: ResolveCss,
-): Promise<string> {
+export async function cleanStyleAttribute(css: string, resolve: ResolveCss): Promise<string> {
+  const sheet = new CSSStyleSheet();
+  sheet.replaceSync(`x { ${readable(css.replace(/[{}]/g, ""))} }`);
+  const [rule] = sheet.cssRules;
+  return rule instanceof CSSStyleRule ? await cleanDeclarations(rule.style, resolve) : "";
+}
+
+/** Returns a style sheet, or declarations, as the browser understands all of it. */
+function readable(css: string): string {
+  return withCarriedShorthands(withoutPrefixes(css));
+}
+
+async function cleanDeclarations(style: CSSStyleDeclaration, resolve: ResolveCss): Promise<string> {
   const kept: string[] = [];
-  for (const name of style) {
-    const value = await cleanValue(style.getPropertyValue(name), resolve);
-    const priority = style.getPropertyPriority(name) === "" ? "" : " !important";
+  for (const property of style) {
+    const name = carriedName(property);
+    if (!propertyName.test(name)) continue;
+    const value = await cleanValue(style.getPropertyValue(property), resolve);
+    const priority = style.getPropertyPriority(property) === "" ? "" : " !important";
     if (value !== null) kept.push(`${name}: ${pagedValue(name, value)}${priority};`);
   }
   return kept.join(" ");
@@ -137,6 +152,8 @@ async function cleanRule(rule: CSSRule, resolve: ResolveCss): Promise<string> {
     const nested = await cleanRules(rule.cssRules ?? [], resolve);
     return `${selector} { ${await cleanDeclarations(rule.style, resolve)} ${nested} }`;
   }
+  // What follows a rule within another.
+  if (isNestedDeclarations(rule)) return await cleanDeclarations(rule.style, resolve);
   if (rule instanceof CSSFontFaceRule) {
     const text = await cleanDeclarations(rule.style, resolve);
     return text.includes("src:") ? `@font-face { ${text} }` : "";
@@ -156,6 +173,13 @@ async function cleanRule(rule: CSSRule, resolve: ResolveCss): Promise<string> {
   }
   if (rule instanceof CSSCounterStyleRule) return loading.test(rule.cssText) ? "" : rule.cssText;
   return "";
+}
+
+/** Returns whether a rule is declarations alone; older browsers have no such rules. */
+function isNestedDeclarations(
+  rule: CSSRule,
+): rule is CSSRule & { readonly style: CSSStyleDeclaration } {
+  return rule.constructor.name === "CSSNestedDeclarations" && "style" in rule;
 }
 
 /** Returns a value with data in place of addresses; null if it would load anything else. */
