@@ -308,7 +308,7 @@ async function layIn<T>(
     ? 1
     : isSliced
       ? sliceCount(html, page)
-      : countPages(html, flow, page);
+      : unmoved(frame, () => countPages(html, flow, page));
   const paper = content.size ? "#fff" : paperOf(typography);
   const map = {
     pageCount,
@@ -337,9 +337,31 @@ async function layIn<T>(
 /** Gives elements their own styles. */
 function applyInlineStyles(html: HTMLElement): void {
   for (const element of [html, ...html.querySelectorAll<HTMLElement>(`[${styleAttribute}]`)]) {
-    element.style.cssText = element.getAttribute(styleAttribute) ?? "";
+    const { style } = element;
+    style.cssText = element.getAttribute(styleAttribute) ?? "";
+    // More important than all, it could not be left out.
+    for (const name of moving)
+      if (style.getPropertyPriority(name)) style.setProperty(name, style.getPropertyValue(name));
     element.removeAttribute(styleAttribute);
   }
+}
+
+/** Properties that move boxes after they are laid out. */
+const moving = ["transform", "translate", "rotate", "scale", "offset"];
+
+/** Returns what is measured while no box is moved: a box that is fills no pages, nor leaves any empty. */
+function unmoved<T>(frame: LayoutFrame, measure: () => T): T {
+  const view = frame.document.defaultView as Window & typeof globalThis;
+  const sheet = new view.CSSStyleSheet();
+  const rule = `* { ${moving.map((name) => `${name}: none !important;`).join(" ")} }`;
+  // What is important in the first layer is above all else that is important in style sheets.
+  sheet.replaceSync(`@layer { ${rule} }`);
+  // The others stay, with their fonts as they are loaded.
+  const sheets = frame.document.adoptedStyleSheets;
+  frame.document.adoptedStyleSheets = [sheet, ...sheets];
+  const measured = measure();
+  frame.document.adoptedStyleSheets = sheets;
+  return measured;
 }
 
 /** Waits until the pictures and fonts of a section are there, or have failed. */
