@@ -91,7 +91,7 @@ const broken: Readonly<Record<string, () => Uint8Array<ArrayBuffer>>> = {
     changed(
       (pdf) =>
         pdf.replace(
-          /\/Filter \/JPXDecode([^]*?)stream\n([^]{60})[^]*?endstream/,
+          /\/Filter \/JPXDecode([\s\S]*?)stream\n([\s\S]{60})[\s\S]*?endstream/,
           "/Filter /JPXDecode$1stream\n$2\nendstream",
         ),
       jpeg2000,
