@@ -21,7 +21,7 @@ export interface TemporaryNote {
 
 let tell: (note: TemporaryNote) => void = () => {};
 
-/** Has `listener` told of each folder of this thread from now on. */
+/** Calls `listener` for each folder of this thread from now on. */
 export function watchTemporary(listener: (note: TemporaryNote) => void): void {
   tell = listener;
 }
@@ -48,7 +48,7 @@ export async function removeTemporary(folder: string): Promise<void> {
 export class TemporaryFolders {
   readonly #programs = new Map<string, number | undefined>();
 
-  /** Takes what `watchTemporary` tells. */
+  /** Takes what the listener of `watchTemporary` receives. */
   note({ folder, program, isRemoved }: TemporaryNote): void {
     if (isRemoved) this.#programs.delete(folder);
     else this.#programs.set(folder, program);

@@ -84,6 +84,9 @@ const pseudoElement = /::?(before|after|marker|first-line|first-letter)\b/g;
 const filterFunction =
   /\b(?:blur|drop-shadow|brightness|contrast|grayscale|hue-rotate|invert|sepia|saturate)\(/g;
 
+/** Arguments of a function, such as a colour's. */
+const functionArguments = /\([^()]*\)/g;
+
 /** A length that is not negative, as the browser writes it. */
 const positiveLength = /(?<![\w.#-])(\d{1,15}(?:\.\d{1,15})?)([a-z]{1,6})/g;
 
@@ -419,7 +422,7 @@ class Values {
         largest = Math.max(largest, Number(count) * (unitPixels[unit] ?? 16));
       }
       // A blur reaches as far to each side as it is long.
-      pixels += text.split(/,(?![^()]*\))/).length * (2 * largest) ** 2;
+      pixels += text.replace(functionArguments, "").split(",").length * (2 * largest) ** 2;
     }
     return pixels;
   }

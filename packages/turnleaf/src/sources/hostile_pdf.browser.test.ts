@@ -107,7 +107,7 @@ const broken: Readonly<Record<string, () => Uint8Array<ArrayBuffer>>> = {
     ),
 };
 
-/** What was left uncaught in the page; its workers' is told by the browser's driver. */
+/** What was left uncaught in the page; its workers' comes from the browser's driver. */
 let uncaught: unknown[] = [];
 const note = (event: PromiseRejectionEvent): void => void uncaught.push(event.reason);
 
