@@ -8,6 +8,8 @@ import { wasmInline } from "./packages/turnleaf/wasm_inline.js";
 import { workerInline } from "./packages/turnleaf/worker_inline.js";
 import { chromiumArguments, findChromium } from "./scripts/chromium.mjs";
 import { consoleCommands } from "./scripts/console_watch.mjs";
+import { printingCommands } from "./scripts/printed_pdf.mjs";
+import { processCommands } from "./scripts/process_watch.mjs";
 import { requestCommands } from "./scripts/request_watch.mjs";
 
 /** The list of steps that Chromium, Firefox and WebKitGTK go through with the built package. */
@@ -85,7 +87,12 @@ function inChromium(
         enabled: true,
         headless: true,
         screenshotFailures: false,
-        commands: { ...consoleCommands, ...requestCommands },
+        commands: {
+          ...consoleCommands,
+          ...printingCommands,
+          ...processCommands,
+          ...requestCommands,
+        },
         provider: playwright({
           launchOptions: { executablePath: findChromium(), args: [...chromiumArguments, ...flags] },
         }),

@@ -6,6 +6,9 @@
 /** Complaints by the page they were written on. */
 const complaints = new WeakMap();
 
+/** Warnings and errors by the page they were written on, those of its workers too. */
+const messages = new WeakMap();
+
 /** Beside a word that WebGL complains in: its own, the driver's, or three.js's. */
 const isOfWebgl = /WebGL|\bGL_|texSubImage|texStorage|THREE\./;
 
@@ -38,6 +41,22 @@ export const consoleCommands = {
         const text = message.text();
         if (isWebglComplaint(text)) complaints.get(page)?.push(text);
       });
+    }
+    return before ?? [];
+  },
+
+  /**
+   * Returns the warnings and errors on the console since the last call, and what was left uncaught in the
+   * page and its workers; the first call begins to listen.
+   */
+  async consoleMessages({ page }) {
+    const before = messages.get(page);
+    messages.set(page, []);
+    if (before === undefined) {
+      page.on("console", (message) => {
+        if (/^(warning|error)$/.test(message.type())) messages.get(page)?.push(message.text());
+      });
+      page.on("pageerror", (error) => messages.get(page)?.push(String(error)));
     }
     return before ?? [];
   },

@@ -7,7 +7,8 @@ import type { AddressInfo } from "node:net";
 import { gzipSync } from "node:zlib";
 import { afterAll, afterEach, beforeAll, describe, expect, it, vi } from "vitest";
 import { fetchAddress } from "../src/read/fetch_address.ts";
-import { iiifBooks } from "../src/read/iiif_books.ts";
+import { type CollectionWeb, iiifBooks } from "../src/read/iiif_books.ts";
+import { isInnerPlace } from "../src/read/network.ts";
 import { page as coloured, pdf } from "./books.ts";
 import { chromiumForTests } from "./browser.ts";
 import { ask, folderOf, run, type Started, start } from "./command.ts";
@@ -231,11 +232,19 @@ describe("a hostile collection", () => {
     type: "Collection",
     items,
   });
-  const opened = (value: unknown, fetchJson = async (_: string): Promise<unknown> => null) => {
+  const opened = (value: unknown, web: Partial<CollectionWeb> = {}, isPublic = true) => {
     const warnings: string[] = [];
-    const books = iiifBooks(value, "https://a.example/c.json", fetchJson, (one) => {
-      warnings.push(one);
-    });
+    const books = iiifBooks(
+      { value, url: "https://a.example/c.json", isPublic },
+      {
+        fetchJson: async (url) => ({ value: null, url, isPublic: true }),
+        isInner: async () => false,
+        ...web,
+      },
+      (one) => {
+        warnings.push(one);
+      },
+    );
     return { books, warnings };
   };
 
@@ -266,12 +275,46 @@ describe("a hostile collection", () => {
       return collection([...items, { type: "Manifest", id: `m${count}` }]);
     };
     let fetched = 0;
-    const { books } = opened(await next(), async () => {
-      fetched++;
-      return await next();
+    const { books } = opened(await next(), {
+      fetchJson: async (url) => {
+        fetched++;
+        return { value: await next(), url, isPublic: true };
+      },
     });
     expect((await books).length).toBeLessThanOrEqual(51);
     expect(fetched).toBeLessThanOrEqual(50);
+  });
+
+  it("that is public lists no book at an inner address; one of the network may", async () => {
+    const items = [
+      "https://a.example/1",
+      "http://127.0.0.1/2",
+      "http://[::1]/3",
+      "http://10.0.0.1/4",
+    ];
+    const value = collection(items.map((id) => ({ type: "Manifest", id, label: { en: [id] } })));
+    const web = { isInner: isInnerPlace };
+    const { books, warnings } = opened(value, web);
+    expect((await books).map(({ url }) => url)).toEqual(items.slice(0, 1));
+    expect(warnings).toEqual(
+      items
+        .slice(1)
+        .map(
+          (id) =>
+            `${id} is on this machine or its network, and a public collection lists it; it is left out.`,
+        ),
+    );
+    expect(await opened(value, web, false).books).toHaveLength(4);
+    // Nor does one that a collection of the network lists.
+    const within = opened(
+      collection([
+        { type: "Collection", id: "https://b.example/" },
+        { type: "Manifest", id: items[1] },
+      ]),
+      { ...web, fetchJson: async (url) => ({ value, url, isPublic: true }) },
+      false,
+    );
+    expect((await within.books).map(({ url }) => url)).toEqual([items[0], items[1]]);
   });
 
   it.each([

@@ -1,5 +1,5 @@
 import { once } from "node:events";
-import { rmSync, symlinkSync, writeFileSync } from "node:fs";
+import { readdirSync, rmSync, symlinkSync, writeFileSync } from "node:fs";
 import { createServer } from "node:http";
 import { type AddressInfo, connect } from "node:net";
 import { join } from "node:path";
@@ -305,24 +305,40 @@ describe("a command that serves", () => {
 
   it.each(["SIGINT", "SIGTERM"] as const)("ends at %s, however busy it is", async (signal) => {
     const folder = folderOf({
-      "book.txt": "Call me Ishmael.",
-      // Looks at its first words for ever.
-      "busy.cjs":
-        'String.prototype.trimStart = () => { require("fs").writeSync(2, "busy"); for (;;); };',
+      // Once it has fetched the book, looks at its first words for ever.
+      "busy.cjs": `const { trimStart } = String.prototype;
+        const { readdirSync, writeSync } = require("fs");
+        String.prototype.trimStart = function () {
+          const names = readdirSync(process.env.TMPDIR);
+          if (!names.some((name) => name.startsWith("turnleaf-read-"))) return trimStart.call(this);
+          for (writeSync(2, "busy"); ; );
+        };`,
     });
-    const options = { NODE_OPTIONS: `--require=${join(folder.path, "busy.cjs")}` };
+    const site = createServer((_, response) => response.end("Call me Ishmael."));
+    await once(site.listen(0, "127.0.0.1"), "listening");
+    const address = `http://127.0.0.1:${(site.address() as AddressInfo).port}/book.txt`;
+    const options = {
+      NODE_OPTIONS: `--require=${join(folder.path, "busy.cjs")}`,
+      ...{ TMPDIR: folder.path, TEMP: folder.path },
+    };
     let said = "";
+    let kept: readonly string[] = [];
     const ended = await runWithChromium(
-      ["read", join(folder.path, "book.txt"), "--no-open"],
+      ["read", address, "--no-open"],
       (child) => {
         child.stderr?.on("data", (data) => {
           said += data;
+          kept = readdirSync(folder.path);
         });
         signalOnce(child, () => said.includes("busy"), signal);
       },
       options,
     );
     expect(ended).toMatchObject({ status: null, signal, stdout: "" });
+    // What it had fetched is gone.
+    expect(kept).toContainEqual(expect.stringMatching(/^turnleaf-read-/));
+    expect(readdirSync(folder.path)).toEqual(["busy.cjs"]);
+    site.close();
     folder.remove();
   });
 

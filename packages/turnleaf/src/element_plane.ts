@@ -104,6 +104,19 @@ export class ElementPlane {
     return x < 0 ? "left" : "right";
   }
 
+  /**
+   * How many CSS pixels of the window lie along one of the element's own, at most: along an axis, at an
+   * edge. 1 while it is not shown.
+   */
+  get scale(): number {
+    const [a, b, c, d] = this.#corners.map((corner) => corner.getBoundingClientRect());
+    const along = (from: DOMRect, to: DOMRect): number => Math.hypot(to.x - from.x, to.y - from.y);
+    const { clientWidth, clientHeight } = this.#element;
+    const across = Math.max(along(a, b), along(c, d)) / clientWidth;
+    const scale = Math.max(across, Math.max(along(a, c), along(b, d)) / clientHeight);
+    return Number.isFinite(scale) && scale > 0 ? scale : 1;
+  }
+
   /** Removes what was added to the element. */
   remove(): void {
     for (const corner of this.#corners) corner.remove();

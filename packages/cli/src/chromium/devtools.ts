@@ -4,11 +4,9 @@
  */
 
 import { type ChildProcess, spawn } from "node:child_process";
-import { mkdtemp, rm } from "node:fs/promises";
-import { tmpdir } from "node:os";
-import { join } from "node:path";
 import type { Readable, Writable } from "node:stream";
 import { Problem, printable } from "../problem.ts";
+import { makeTemporary, noteProgram, removeTemporary } from "../temporary.ts";
 
 /**
  * No network requests of its own, no traces left, and software rendering
@@ -84,13 +82,14 @@ export class ChromiumPage {
     height: number,
     moreFlags: readonly string[] = [],
   ): Promise<ChromiumPage> {
-    const profile = await mkdtemp(join(tmpdir(), "turnleaf-chromium-"));
+    const profile = await makeTemporary("chromium");
     const root = process.getuid?.() === 0 ? rootFlags : [];
     const child = spawn(program, [...flags, ...moreFlags, ...root, `--user-data-dir=${profile}`], {
       stdio: ["ignore", "ignore", "pipe", "pipe", "pipe"],
       // This command handles Ctrl+C in the terminal: it ends the browser itself.
       detached: process.platform !== "win32",
     });
+    noteProgram(profile, child.pid);
     const page = new ChromiumPage(child, profile);
     try {
       const { targetId } = await page.#ask("Target.createTarget", { url: "about:blank" });
@@ -148,7 +147,7 @@ export class ChromiumPage {
     const timer = setTimeout(() => this.#child.kill("SIGKILL"), patience);
     await this.#ended;
     clearTimeout(timer);
-    await rm(this.#profile, { recursive: true, force: true, maxRetries: 5 }).catch(() => {});
+    await removeTemporary(this.#profile).catch(() => {});
   }
 
   #ask(method: string, params: object): Promise<Record<string, unknown>> {

@@ -17,21 +17,35 @@ const deepest = 5;
 
 type Value = Readonly<Record<string, unknown>>;
 
-/** Fetches JSON, for a collection within another. Rejects with a `Problem`. */
-export type FetchJson = (address: string) => Promise<unknown>;
+/** JSON that was found at an address. */
+export interface FoundJson {
+  readonly value: unknown;
+  readonly url: string;
+  /** Whether it is of the public internet: what it lists must be too. */
+  readonly isPublic: boolean;
+}
+
+/** Where the members of a collection are. */
+export interface CollectionWeb {
+  /** Fetches a collection within another. Rejects with a `Problem`. */
+  fetchJson(address: string, isNamedByPublic: boolean): Promise<FoundJson>;
+  /** Returns whether an address is of this machine or of a network around it. */
+  isInner(address: string): Promise<boolean>;
+}
 
 /**
  * Returns the books of JSON that was found at an address: one of a manifest,
  * those of a collection in its order. A collection that was listed before, as
- * one within itself, or is beyond the bounds is left out with a sentence.
+ * one within itself, or is beyond the bounds is left out with a sentence, and so
+ * is a book at an inner address that a public collection lists: the browser would
+ * request it.
  *
  * @param warn receives that sentence
  * @throws Problem if it is neither
  */
 export async function iiifBooks(
-  value: unknown,
-  url: string,
-  fetchJson: FetchJson,
+  { value, url, isPublic }: FoundJson,
+  web: CollectionWeb,
   warn: (sentence: string) => void,
 ): Promise<readonly OnlineBook[]> {
   const name = printable(url);
@@ -39,27 +53,30 @@ export async function iiifBooks(
     throw new Problem(`${name} is JSON, and no manifest of IIIF; give another address.`);
   }
   if (!isCollection(value)) return [{ title: labelOf(value) || name, url }];
-  const walk = new Walk(fetchJson, warn);
-  await walk.collect(value, url);
+  const walk = new Walk(web, warn);
+  await walk.collect(value, url, isPublic);
   if (walk.books.length > 0) return walk.books;
   throw new Problem(`${name} is a collection without books; give another address.`);
 }
 
 class Walk {
   readonly books: OnlineBook[] = [];
-  readonly #fetchJson: FetchJson;
+  readonly #web: CollectionWeb;
   readonly #warn: (sentence: string) => void;
   /** Addresses of the collections that were read or begun. */
   readonly #seen = new Set<string>();
+  /** Whether a host is of this machine or of a network around it. */
+  readonly #inner = new Map<string, boolean>();
   /** Collections in this one that were read. */
   #count = 0;
 
-  constructor(fetchJson: FetchJson, warn: (sentence: string) => void) {
-    this.#fetchJson = fetchJson;
+  constructor(web: CollectionWeb, warn: (sentence: string) => void) {
+    this.#web = web;
     this.#warn = warn;
   }
 
-  async collect(collection: Value, url: string, depth = 1): Promise<void> {
+  /** @param isPublic whether the document that holds it is of the public internet */
+  async collect(collection: Value, url: string, isPublic: boolean, depth = 1): Promise<void> {
     // It may have been redirected to another address than its own.
     for (const address of [url, idOf(collection, url)]) if (address) this.#seen.add(address);
     for (const member of membersOf(collection)) {
@@ -68,14 +85,27 @@ class Walk {
         this.#warn(`${printable(url)} has more than ${mostBooks} books; the rest is left out.`);
         return;
       }
-      if (isCollection(member)) await this.#descend(member, address, depth + 1);
+      if (isCollection(member)) await this.#descend(member, address, isPublic, depth + 1);
       else if (address !== "") {
-        this.books.push({ title: labelOf(member) || printable(address), url: address });
+        const title = labelOf(member) || printable(address);
+        if (isPublic && (await this.#isInner(address))) {
+          this.#warn(
+            `${title} is on this machine or its network, and a public collection lists it; it is left out.`,
+          );
+        } else this.books.push({ title, url: address });
       }
     }
   }
 
-  async #descend(member: Value, address: string, depth: number): Promise<void> {
+  /** Each host is looked up once. */
+  async #isInner(address: string): Promise<boolean> {
+    const { host } = new URL(address);
+    const known = this.#inner.get(host) ?? (await this.#web.isInner(address));
+    this.#inner.set(host, known);
+    return known;
+  }
+
+  async #descend(member: Value, address: string, isPublic: boolean, depth: number): Promise<void> {
     const name = labelOf(member) || printable(address);
     if (this.#seen.has(address))
       return this.#warn(`${name} is listed again; it is left out there.`);
@@ -85,8 +115,10 @@ class Walk {
     this.#count++;
     try {
       const isWhole = membersOf(member).length > 0 || address === "";
-      const value = isWhole ? member : await this.#fetchJson(address);
-      if (isRecord(value)) await this.collect(value, address, depth);
+      const found = isWhole
+        ? { value: member, url: address, isPublic }
+        : await this.#web.fetchJson(address, isPublic);
+      if (isRecord(found.value)) await this.collect(found.value, address, found.isPublic, depth);
     } catch (error) {
       if (!(error instanceof Problem)) throw error;
       this.#warn(`${error.message} It is left out.`);

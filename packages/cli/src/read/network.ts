@@ -69,6 +69,12 @@ export async function placeOf(hostname: string): Promise<Place> {
   };
 }
 
+/** Returns whether an address of the web is of this machine or of a network around it; one that is nowhere is not. */
+export async function isInnerPlace(address: string): Promise<boolean> {
+  const place = await placeOf(new URL(address).hostname).catch(() => null);
+  return place?.isInner ?? false;
+}
+
 function addressesOf(host: string): Promise<readonly LookupAddress[]> {
   return new Promise((resolve, reject) => {
     lookup(host, { all: true }, (error, found) => (error ? reject(error) : resolve(found)));

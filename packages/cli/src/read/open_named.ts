@@ -1,15 +1,17 @@
 /** The books that are named on the command line, opened: files, folders and addresses. */
 
-import { mkdir, mkdtemp, open, rm } from "node:fs/promises";
+import { mkdir, open } from "node:fs/promises";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { type BookName, booksAt, openBook, openImages, type ServedBook } from "../book.ts";
 import { isJson, sniffLength } from "../file_types.ts";
 import { fileProblem, Problem, printable } from "../problem.ts";
 import { Progress } from "../progress.ts";
+import { makeTemporary, removeTemporary } from "../temporary.ts";
 import { Warnings } from "../warnings.ts";
 import { type Fetched, fetchAddress, isAddress } from "./fetch_address.ts";
-import { iiifBooks } from "./iiif_books.ts";
+import { type CollectionWeb, type FoundJson, iiifBooks } from "./iiif_books.ts";
+import { isInnerPlace } from "./network.ts";
 
 /** A book to be read. */
 export interface NamedBook extends ServedBook {
@@ -70,7 +72,7 @@ export class NamedBooks {
 
   /** Removes the files that were fetched. */
   async close(): Promise<void> {
-    if (this.#folder) await rm(await this.#folder, { recursive: true, force: true });
+    if (this.#folder) await removeTemporary(await this.#folder);
   }
 
   /** Returns the names with those of a folder's books in its place, and what is wrong with others. */
@@ -110,13 +112,19 @@ export class NamedBooks {
   }
 
   async #openJson({ url, isPublic }: Fetched, value: unknown): Promise<readonly NamedBook[]> {
-    const readAll = async (fetched: Fetched): Promise<unknown> => {
+    const readAll = async (fetched: Fetched): Promise<FoundJson> => {
       const pieces = fetched.body(mostJsonBytes)[Symbol.asyncIterator]();
-      return await readJson(await readStart(pieces), pieces, fetched.url);
+      const value = await readJson(await readStart(pieces), pieces, fetched.url);
+      return { value, url: fetched.url, isPublic: fetched.isPublic };
     };
-    const fetchJson = (address: string): Promise<unknown> =>
-      fetchAddress(address, this.#signal, readAll, isPublic);
-    const books = await iiifBooks(value, url, fetchJson, (sentence) => this.#warn(sentence));
+    const web: CollectionWeb = {
+      fetchJson: (address, isNamedByPublic) =>
+        fetchAddress(address, this.#signal, readAll, isNamedByPublic),
+      isInner: isInnerPlace,
+    };
+    const books = await iiifBooks({ value, url, isPublic }, web, (sentence) =>
+      this.#warn(sentence),
+    );
     return books.map(({ title, url }) => ({ title, src: url, files: new Map(), isOnline: true }));
   }
 
@@ -124,7 +132,7 @@ export class NamedBooks {
   async #save({ url, length }: Fetched, start: Buffer, rest: Pieces): Promise<string> {
     const name = fileNameOf(url);
     try {
-      this.#folder ??= mkdtemp(join(tmpdir(), "turnleaf-read-"));
+      this.#folder ??= makeTemporary("read");
       const folder = join(await this.#folder, String(++this.#count));
       await mkdir(folder);
       const file = await open(join(folder, name), "wx", 0o600);

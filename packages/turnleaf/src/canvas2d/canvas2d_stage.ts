@@ -94,10 +94,10 @@ export class Canvas2DStage implements BookStage {
     this.#aim();
   }
 
-  resize(cssWidth: number, cssHeight: number, pixelRatio: number): void {
+  resize(cssWidth: number, cssHeight: number, pixelRatio: number, scale = 1): void {
     this.#width = Math.max(1, cssWidth);
     this.#height = Math.max(1, cssHeight);
-    this.#ratio = Math.max(0.25, pixelRatio);
+    this.#ratio = Math.max(0.25, pixelRatio * scale);
     this.#aim();
   }
 

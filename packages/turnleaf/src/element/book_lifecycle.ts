@@ -24,6 +24,7 @@ import { allowsGesture, swipeDistanceOf } from "./attributes.ts";
 import type { BookTextOverlay, TextTarget } from "./book_text_overlay.ts";
 import type { LivePages } from "./live_pages.ts";
 import type { RollView } from "./roll_view.ts";
+import { watchTransformation } from "./watch_transformation.ts";
 
 /** The callbacks between an element and the life of its book. */
 export interface LifecycleHooks {
@@ -462,6 +463,7 @@ export class OpenBook {
   readonly #stage: HTMLElement;
   readonly #input: Input;
   readonly #renumbered: LifecycleHooks["renumbered"];
+  readonly #plane: ElementPlane;
   readonly #ended = new AbortController();
 
   constructor(
@@ -487,6 +489,7 @@ export class OpenBook {
     this.reading = new ReadableBook({ source, viewer, canvas, roll, goTo, language }, missingPart);
     this.#element = element;
     this.#stage = stage;
+    this.#plane = plane;
   }
 
   /**
@@ -534,26 +537,33 @@ export class OpenBook {
     return this.viewer.destroy(keepCanvas);
   }
 
-  /** Makes the book as large as its stage, at the screen's pixel ratio, and keeps it so. */
+  /** Makes the book as large as its stage, as sharp as the screen shows it, and keeps it so. */
   fit(): void {
     const { signal } = this.#ended;
     const stage = this.#stage;
     const view = this.#element.ownerDocument.defaultView ?? window;
+    const plane = this.#plane;
     const resize = (): void => {
       const { clientWidth, clientHeight } = stage;
       if (clientWidth > 0 && clientHeight > 0) {
         // Printed, it is as on the screen, scaled.
         stage.style.setProperty("--screen-width", `${clientWidth}px`);
         stage.style.setProperty("--screen-height", `${clientHeight}px`);
-        this.viewer.resize(clientWidth, clientHeight, view.devicePixelRatio);
+        this.viewer.resize(clientWidth, clientHeight, view.devicePixelRatio, rounded(plane.scale));
       }
     };
     const observer = new view.ResizeObserver(resize);
     observer.observe(stage);
     signal.addEventListener("abort", () => observer.disconnect(), { once: true });
     watchRatio(view, resize, signal);
+    watchTransformation(this.#element, resize, signal);
     resize();
   }
+}
+
+/** Returns a scale without what lengths that are measured differ by from place to place. */
+function rounded(scale: number): number {
+  return Math.round(1000 * scale) / 1000;
 }
 
 /** Follows the pixel ratio of a window's screen, which changes with the zoom and from screen to screen. */

@@ -5,6 +5,9 @@ import "vitest/browser";
 declare module "vitest/browser" {
   interface BrowserCommands {
     webglComplaints(): Promise<string[]>;
+    consoleMessages(): Promise<string[]>;
+    printedPdf(markup: string): Promise<string>;
+    processUse(): Promise<{ seconds: number; bytes: number | null }>;
     requestsElsewhere(): Promise<string[]>;
   }
 }

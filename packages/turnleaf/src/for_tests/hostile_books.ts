@@ -93,6 +93,9 @@ export const hostileDrawings: Readonly<Record<string, string>> = {
   "filters within each other": svg(
     `<filter id="f"><feGaussianBlur stdDeviation="90"/><feMorphology radius="90"/></filter>${'<g filter="url(#f)">'.repeat(200)}${rect}${"</g>".repeat(200)}`,
   ),
+  "a filter of thousands of steps": svg(
+    `<filter id="f">${'<feGaussianBlur stdDeviation="9"/>'.repeat(2000)}</filter><g filter="url(#f)">${rect}</g>`,
+  ),
   "layers by style": svg(
     `<style>g { opacity: 0.9; mix-blend-mode: multiply; }</style>${"<g>".repeat(250)}${rect}${"</g>".repeat(250)}`,
   ),
@@ -113,12 +116,28 @@ const chapters: Readonly<Record<string, readonly [css: string, body: string]>> =
     `p { text-shadow: ${times(3000, (k) => `${k ? "," : ""}${k}px 1px 9px red`)}; }`,
     "<p>Here.</p>".repeat(500),
   ],
+  "large shadows of many words": [
+    `p { text-shadow: ${times(200, (k) => `${k ? "," : ""}${k % 9}px 1px 99px red`)}; }`,
+    "<p>Here.</p>".repeat(50),
+  ],
+  "large shadows by variables": [
+    `html { --a: 0 0 99px red; --b: ${times(200, (k) => `${k ? "," : ""}var(--a)`)}; } p { box-shadow: var(--b); }`,
+    "<p>Here.</p>".repeat(500),
+  ],
+  "filters of many functions": [
+    `p { filter: ${"blur(9px) ".repeat(400)}; }`,
+    "<p>Here.</p>".repeat(20),
+  ],
   "a grid of millions of columns": [
     "div { display: grid; grid-template-columns: repeat(3000000, 1px); }",
     "<div><p>a</p></div>",
   ],
   "a grid of millions of rows by variables": [
     "html { --a: 3000000; --b: var(--a); } div { display: grid; } p { grid-row-start: var(--b); }",
+    "<div><p>a</p></div>",
+  ],
+  "a grid of millions of rows by a shorthand, half of it overridden": [
+    "html { --a: repeat(3000000, 1px) / 1px; } div { display: grid; grid-template: var(--a); grid-template-columns: 2px; }",
     "<div><p>a</p></div>",
   ],
   "rules that look for descendants": [

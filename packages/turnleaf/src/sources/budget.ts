@@ -6,6 +6,7 @@
 
 import { claimedSize } from "./image_header.ts";
 import { limits } from "./limits.ts";
+import { carriedName, withCarriedShorthands } from "./markup/carried_shorthands.ts";
 import { dataPicture } from "./markup/data_address.ts";
 import { errorIn, parseMarkup } from "./markup/parse_markup.ts";
 import { BookError } from "./page_source.ts";
@@ -20,6 +21,18 @@ const addedBesides = 2000;
 
 /** Layers within each other: each may have all pixels of a page, 64 MB; a gigabyte in all. */
 const deepestLayers = 16;
+
+/**
+ * Steps of the filters that a thing goes through, its own and those around it: one of a whole page takes some
+ * 25 milliseconds. Drawing programs write filters of up to some 25 steps.
+ */
+const mostFilterSteps = 100;
+
+/** Pixels that the blur of a chapter's shadows covers beside their boxes: as many as a picture may have. */
+const mostBlurred = limits.imagePixels;
+
+/** CSS pixels of the units in which books give shadows; others count as the largest. */
+const unitPixels: Readonly<Record<string, number>> = { px: 1, pt: 4 / 3, em: 16, rem: 16 };
 
 /** Pictures within each other. */
 const deepestPictures = 4;
@@ -43,6 +56,8 @@ interface Cost {
   readonly elements: number;
   /** Layers within each other. */
   readonly layers: number;
+  /** Steps of filters, along the way through them that has the most. */
+  readonly filterSteps: number;
   /** Whether any of it is clipped: a clip that is takes a layer, others do not. */
   readonly isClipped: boolean;
 }
@@ -52,7 +67,7 @@ interface PictureCost extends Cost {
   readonly pixels: number;
 }
 
-const nothing: Cost = { elements: 0, layers: 0, isClipped: false };
+const nothing: Cost = { elements: 0, layers: 0, filterSteps: 0, isClipped: false };
 const noPicture: PictureCost = { ...nothing, pixels: 0 };
 
 /** Declarations for which an element and what is in it are drawn on a layer of their own. */
@@ -64,6 +79,16 @@ const variable = /var\(\s*(--[^\s,)]+)/g;
 
 /** Pseudo-elements, whose rules are about the elements that have them. */
 const pseudoElement = /::?(before|after|marker|first-line|first-letter)\b/g;
+
+/** A function of a filter in CSS. */
+const filterFunction =
+  /\b(?:blur|drop-shadow|brightness|contrast|grayscale|hue-rotate|invert|sepia|saturate)\(/g;
+
+/** Arguments of a function, such as a colour's. */
+const functionArguments = /\([^()]*\)/g;
+
+/** A length that is not negative, as the browser writes it. */
+const positiveLength = /(?<![\w.#-])(\d{1,15}(?:\.\d{1,15})?)([a-z]{1,6})/g;
 
 /** Attributes of SVG that name what is drawn with an element. */
 const naming = [
@@ -137,10 +162,11 @@ class Count {
     this.#checkStyle();
     const pixels = await this.#checkPictures();
     const cost = this.#total();
-    const { elements, layers } = cost;
+    const { elements, layers, filterSteps } = cost;
     const most = Math.min(length + addedEach * length + addedBesides, limits.elements);
     if (!(elements <= most)) this.#reject("its elements stand for too many others");
     if (!(layers <= deepestLayers)) this.#reject("too many of its layers are within each other");
+    if (!(filterSteps <= mostFilterSteps)) this.#reject("its filters have too many steps");
     return { ...cost, pixels };
   }
 
@@ -168,10 +194,12 @@ class Count {
     this.#costs.set(element, null);
     let elements = spanOf(element);
     let layers = 0;
+    let filterSteps = 0;
     let isClipped = false;
     const add = (cost: Cost, times = 1): void => {
       elements += times * cost.elements;
       layers = Math.max(layers, cost.layers);
+      filterSteps = Math.max(filterSteps, cost.filterSteps);
       isClipped ||= cost.isClipped;
     };
     for (const child of element.children) add(this.#cost(child));
@@ -179,16 +207,19 @@ class Count {
     const style = `${this.#styles.get(element) ?? ""};${ownStyle(element)}`;
     const text = element.namespaceURI === svg ? `${style};${shownBy(element)}` : style;
     let isLayer = layered.test(text);
+    let ownSteps = text.match(filterFunction)?.length ?? 0;
     for (const [, href, id] of text.matchAll(ownAddress)) {
       const target = this.#byId.get(href ?? id ?? "");
       if (!target) continue;
       const { localName } = target;
       const cost = this.#cost(target);
       isLayer ||= localName === "pattern" || (localName === "clipPath" && cost.isClipped);
+      if (localName === "filter") ownSteps += target.childElementCount;
       add(cost, localName === "marker" ? cornersOf(element) : 1);
     }
     isClipped ||= /clip-path\s*:/.test(text);
-    const cost = { elements, layers: layers + (isLayer ? 1 : 0), isClipped };
+    filterSteps += ownSteps;
+    const cost = { elements, layers: layers + (isLayer ? 1 : 0), filterSteps, isClipped };
     this.#costs.set(element, cost);
     return cost;
   }
@@ -201,19 +232,22 @@ class Count {
       rules,
       this.#sheets.some((css) => css.includes("attr(")) ? this.#elements : [],
     );
-    let [generated, compared] = [0, 0];
+    let [generated, compared, blurred] = [0, 0, 0];
     for (const { selectorText, style } of rules) {
       const added = values.lengthOf(style.getPropertyValue("content"));
       const text = style.cssText.replace(dataAddress, "");
       this.#checkDeclarations(text, values);
       const isDrawn = layered.test(text) || text.includes("url(");
-      if (added <= mostGenerated / limits.elements && !isDrawn) continue;
+      const blur = values.blurOf(style);
+      if (added <= mostGenerated / limits.elements && !isDrawn && blur === 0) continue;
       compared += this.#elements.length;
       // Found here, they take ten times as long as in the layout.
       if (compared > mostSteps / 10) this.#reject("its style has too many rules for its elements");
       const matched = this.#matching(selectorText);
       generated += added * matched.length;
       if (generated > mostGenerated) this.#reject("its style adds too much text");
+      blurred += blur * matched.length;
+      if (blurred > mostBlurred) this.#reject("its shadows are too many and too large");
       if (!isDrawn) continue;
       for (const one of matched) {
         this.#styles.set(one, `${this.#styles.get(one) ?? ""};${text}`);
@@ -228,7 +262,8 @@ class Count {
     for (const declaration of text.split(";")) {
       const at = declaration.indexOf(":");
       if (at < 0) continue;
-      this.#checkValue(declaration.slice(0, at).trim(), declaration.slice(at + 1), values);
+      const name = carriedName(declaration.slice(0, at).trim());
+      this.#checkValue(name, declaration.slice(at + 1), values);
     }
   }
 
@@ -375,6 +410,23 @@ class Values {
     return [...names].flatMap((name) => this.#custom.get(name) ?? []).join(" ");
   }
 
+  /** Returns how many pixels the blur of a rule's shadows covers beside each of its boxes, or words, at least. */
+  blurOf(style: CSSStyleDeclaration): number {
+    let pixels = 0;
+    for (const name of ["text-shadow", "box-shadow"]) {
+      const value = style.getPropertyValue(name);
+      if (value === "" || value === "none") continue;
+      const text = `${value} ${this.namedIn(value)}`;
+      let largest = 0;
+      for (const [, count, unit = ""] of text.matchAll(positiveLength)) {
+        largest = Math.max(largest, Number(count) * (unitPixels[unit] ?? 16));
+      }
+      // A blur reaches as far to each side as it is long.
+      pixels += text.replace(functionArguments, "").split(",").length * (2 * largest) ** 2;
+    }
+    return pixels;
+  }
+
   #expanded(name: string): number {
     const known = this.#lengths.get(name);
     if (known !== undefined) return known;
@@ -428,7 +480,7 @@ function cornersOf(element: Element): number {
 /** Returns all rules of a style sheet, those within others too. */
 function rulesOf(css: string): CSSStyleRule[] {
   const sheet = new CSSStyleSheet();
-  sheet.replaceSync(css);
+  sheet.replaceSync(withCarriedShorthands(css));
   const rules: CSSStyleRule[] = [];
   const read = (list: CSSRuleList): void => {
     for (const rule of list) {

@@ -439,6 +439,8 @@ class PdfSource implements PageSource {
     if (this.#closed) return;
     this.#closed = true;
     this.#drawn.clear();
+    // A worker that ends sends nothing more to those that wait.
+    this.#thread.giveUp(this.#closedError());
     this.#stop();
   }
 
@@ -468,17 +470,20 @@ class PdfSource implements PageSource {
 
   async #page(index: number, signal?: AbortSignal): Promise<PDFPageProxy> {
     signal?.throwIfAborted();
-    if (this.#closed)
-      throw new BookError(`${this.#name} is closed; open it again.`, {
-        code: "closed",
-        source: this.#name,
-      });
+    if (this.#closed) throw this.#closedError();
     try {
       const page = this.#thread.orFailed(this.#document.getPage(index + 1));
       return await (signal ? orAborted(page, signal) : page);
     } catch (error) {
       throw this.#failureOf(error, index, signal);
     }
+  }
+
+  #closedError(): BookError {
+    return new BookError(`${this.#name} is closed; open it again.`, {
+      code: "closed",
+      source: this.#name,
+    });
   }
 
   /** Frees the parsed content of the page drawn longest ago. */
@@ -495,6 +500,7 @@ class PdfSource implements PageSource {
   /** Returns the signal's reason, or the error for page `index`. */
   #failureOf(error: unknown, index: number, signal?: AbortSignal): unknown {
     if (signal?.aborted) return signal.reason;
+    if (error instanceof BookError) return error;
     const { pdfjs } = this.#thread;
     const page = `Page ${index + 1} of ${this.#name}`;
     const detail = { page: index + 1, source: this.#name };

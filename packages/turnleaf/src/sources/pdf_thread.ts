@@ -98,6 +98,11 @@ export class PdfThread {
     });
   }
 
+  /** Rejects every promise that is pending, and those to come: what the worker sends is no longer awaited. */
+  giveUp(reason: Error): void {
+    this.#fail(reason, true);
+  }
+
   /** Ends the worker at once. */
   readonly stop = (): void => {
     clearTimeout(this.#timer);

@@ -71,8 +71,13 @@ export interface BookStage {
    * ready with the next frame
    */
   bind(shape: BookShape, expectsSheets?: boolean): void;
-  /** Fits the canvas to `cssWidth` by `cssHeight` CSS pixels, each `pixelRatio` device pixels. */
-  resize(cssWidth: number, cssHeight: number, pixelRatio: number): void;
+  /**
+   * Fits the canvas to `cssWidth` by `cssHeight` CSS pixels.
+   *
+   * @param pixelRatio device pixels along a CSS pixel of the window
+   * @param scale CSS pixels of the window along one of the canvas, by transformations around it; 1 by default
+   */
+  resize(cssWidth: number, cssHeight: number, pixelRatio: number, scale?: number): void;
   /**
    * Returns the zoom at `level` in which the point seen at `from` now is seen
    * at `to`, clamped to the book.

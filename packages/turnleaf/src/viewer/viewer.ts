@@ -299,15 +299,20 @@ export class Viewer {
     };
   }
 
-  /** Fits the book to the size of the canvas in CSS pixels. */
-  resize(cssWidth: number, cssHeight: number, pixelRatio: number): void {
-    const sizes = [cssWidth, cssHeight, pixelRatio];
+  /**
+   * Fits the book to the size of the canvas in CSS pixels.
+   *
+   * @param pixelRatio as of `BookStage.resize`
+   * @param scale likewise
+   */
+  resize(cssWidth: number, cssHeight: number, pixelRatio: number, scale = 1): void {
+    const sizes = [cssWidth, cssHeight, pixelRatio, scale];
     // An observer reports the size that is known already, and a frame of the same costs as much as another.
     if (sizes.every((size, k) => size === this.#sizes[k])) return;
     this.#sizes = sizes;
     this.#cssWidth = cssWidth;
     this.#cssHeight = cssHeight;
-    this.#stage.resize(cssWidth, cssHeight, pixelRatio);
+    this.#stage.resize(cssWidth, cssHeight, pixelRatio, scale);
     if (!this.#rebinder.suits(cssWidth, cssHeight)) {
       this.#rebinder.bindSoon();
       this.#bindSoon();

@@ -69,7 +69,10 @@ export class WebGLStage implements BookStage {
   readonly #faces = new Map<BitmapTarget, { shown: PagePicture | null; show: ShowTexture }>();
   #width = 1;
   #height = 1;
+  /** Pixels for each CSS pixel: those of the screen that shows it. */
   #ratio = 1;
+  /** Of the canvas as it is seen, by transformations around it. */
+  #scale = 1;
   readonly #zooming = new ZoomState((level) =>
     sightOf(this.#shape, this.#book.framing, this.#aspect, this.#shape.rim, level),
   );
@@ -112,10 +115,11 @@ export class WebGLStage implements BookStage {
     this.#book.expectSheets();
   }
 
-  resize(cssWidth: number, cssHeight: number, pixelRatio: number): void {
+  resize(cssWidth: number, cssHeight: number, pixelRatio: number, scale = 1): void {
     this.#width = Math.max(1, cssWidth);
     this.#height = Math.max(1, cssHeight);
-    this.#ratio = Math.max(0.25, pixelRatio);
+    this.#ratio = Math.max(0.25, pixelRatio * scale);
+    this.#scale = scale;
     this.#aim();
   }
 
@@ -168,7 +172,7 @@ export class WebGLStage implements BookStage {
   }
 
   get restingRatio(): number {
-    const ratio = Math.max(this.isSoftware ? 1.5 : 2, this.#ratio);
+    const ratio = Math.max((this.isSoftware ? 1.5 : 2) * this.#scale, this.#ratio);
     // The canvas is no larger than the GPU supports.
     const most = this.#renderer.capabilities.maxTextureSize;
     const longest = Math.max(this.#width, this.#height);
@@ -192,7 +196,8 @@ export class WebGLStage implements BookStage {
   }
 
   draw(options?: DrawOptions): void {
-    const ratio = options?.resting ? this.restingRatio : this.#ratio * (options?.pixels ?? 1);
+    const most = this.restingRatio;
+    const ratio = options?.resting ? most : Math.min(this.#ratio * (options?.pixels ?? 1), most);
     const [width, height] = [Math.floor(this.#width * ratio), Math.floor(this.#height * ratio)];
     if (this.#canvas.width !== width || this.#canvas.height !== height) {
       // Clears the canvas; it is drawn again below before it can be seen.

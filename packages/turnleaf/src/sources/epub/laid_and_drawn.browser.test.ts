@@ -154,3 +154,22 @@ test.each([
   expect(lost, drawn.slice(-500)).toBe(0);
   await expectDrawnAsLaid(source);
 });
+
+test.each([
+  ["transform: scale(300)", ""],
+  ["transform: scale(300) !important", "p { transform: none !important }"],
+  ["", "p { transform: scale(300) }"],
+  ["", "body { transform: translate(200000px) }"],
+  ["", "p { scale: 300 !important; translate: 100000px }"],
+  ["", 'p { offset: path("M 90000 0 L 90001 0") }'],
+])("what is moved out of its page adds none: %s %s", async (style, css) => {
+  const head = `<style>${css}</style>`;
+  const body = (count: number) => `<p style="${style}">A line.</p>${"<p>Here.</p>".repeat(count)}`;
+  for (const count of [0, 100]) {
+    const plain = await laidOutEpub({
+      chapters: [document("", `<p>A line.</p>${"<p>Here.</p>".repeat(count)}`)],
+    });
+    const moved = await laidOutEpub({ chapters: [document(head, body(count))] });
+    expect(moved.pageCount).toBe(plain.pageCount);
+  }
+});

@@ -2,6 +2,7 @@
 
 import { limits } from "../limits.ts";
 import type { LostPart } from "../typeset/flow_book.ts";
+import { carriedName, withCarriedShorthands } from "./carried_shorthands.ts";
 import { pagedValue } from "./paged_css.ts";
 import { withoutPrefixes } from "./prefixed_css.ts";
 
@@ -16,6 +17,9 @@ const string = /"(?:[^"\\\n\r\f]|\\[\s\S])*"?|'(?:[^'\\\n\r\f]|\\[\s\S])*'?/g;
 
 /** The name of a layer; one of other characters could end its rule. */
 const layerName = /^[\w.-]*$/;
+
+/** The name of a property; a custom one of other characters could end its declaration. */
+const propertyName = /^[\w\u0080-\uffff-]+$/;
 
 /** A picture or a font in a clean style sheet. */
 const dataAddress = /url\("data:[^"]*"\)/g;
@@ -51,7 +55,7 @@ export async function cleanCss(
   nameOf: (address: string) => string = (address) => address,
 ): Promise<CleanSheet> {
   const sheet = new CSSStyleSheet();
-  sheet.replaceSync(withoutPrefixes(css));
+  sheet.replaceSync(readable(css));
   const namespaces = [...sheet.cssRules].filter((rule) => rule instanceof CSSNamespaceRule);
   const lost: LostPart[] = [];
   const picture: ResolveCss = async (address) => {
@@ -108,14 +112,25 @@ export function cssOf({ namespaces, rules }: CleanSheet): string {
 }
 
 /** Returns the declarations of a style attribute, cleaned alike. */
-export async function cleanDeclarations(
-  style: CSSStyleDeclaration,
-  resolve: ResolveCss,
-): Promise<string> {
+export async function cleanStyleAttribute(css: string, resolve: ResolveCss): Promise<string> {
+  const sheet = new CSSStyleSheet();
+  sheet.replaceSync(`x { ${readable(css.replace(/[{}]/g, ""))} }`);
+  const [rule] = sheet.cssRules;
+  return rule instanceof CSSStyleRule ? await cleanDeclarations(rule.style, resolve) : "";
+}
+
+/** Returns a style sheet, or declarations, as the browser understands all of it. */
+function readable(css: string): string {
+  return withCarriedShorthands(withoutPrefixes(css));
+}
+
+async function cleanDeclarations(style: CSSStyleDeclaration, resolve: ResolveCss): Promise<string> {
   const kept: string[] = [];
-  for (const name of style) {
-    const value = await cleanValue(style.getPropertyValue(name), resolve);
-    const priority = style.getPropertyPriority(name) === "" ? "" : " !important";
+  for (const property of style) {
+    const name = carriedName(property);
+    if (!propertyName.test(name)) continue;
+    const value = await cleanValue(style.getPropertyValue(property), resolve);
+    const priority = style.getPropertyPriority(property) === "" ? "" : " !important";
     if (value !== null) kept.push(`${name}: ${pagedValue(name, value)}${priority};`);
   }
   return kept.join(" ");
@@ -158,6 +173,8 @@ async function cleanRule(rule: CSSRule, files: Resolvers): Promise<string> {
     const nested = await cleanRules(rule.cssRules ?? [], files);
     return `${selector} { ${await cleanDeclarations(rule.style, files.picture)} ${nested} }`;
   }
+  // What follows a rule within another.
+  if (isNestedDeclarations(rule)) return await cleanDeclarations(rule.style, files.picture);
   if (rule instanceof CSSFontFaceRule) {
     const text = await cleanDeclarations(rule.style, files.font);
     return text.includes("src:") ? `@font-face { ${text} }` : "";
@@ -177,6 +194,13 @@ async function cleanRule(rule: CSSRule, files: Resolvers): Promise<string> {
   }
   if (rule instanceof CSSCounterStyleRule) return loading.test(rule.cssText) ? "" : rule.cssText;
   return "";
+}
+
+/** Returns whether a rule is declarations alone; older browsers have no such rules. */
+function isNestedDeclarations(
+  rule: CSSRule,
+): rule is CSSRule & { readonly style: CSSStyleDeclaration } {
+  return rule.constructor.name === "CSSNestedDeclarations" && "style" in rule;
 }
 
 /** Returns a value with data in place of addresses; null if it would load anything else. */

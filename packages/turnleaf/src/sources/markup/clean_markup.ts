@@ -18,7 +18,7 @@ import {
   type CleanSheet,
   cleanAttribute,
   cleanCss,
-  cleanDeclarations,
+  cleanStyleAttribute,
   cssOf,
   inMedia,
   mayLoad,
@@ -27,7 +27,6 @@ import {
 } from "./clean_css.ts";
 import { prepareFormula } from "./formulas.ts";
 import { framePicture, frameSize } from "./frame_picture.ts";
-import { withoutPrefixes } from "./prefixed_css.ts";
 import { isXmlAttribute } from "./xml.ts";
 
 /** The files that a chapter names. */
@@ -293,14 +292,10 @@ async function inlinePictures(root: Element, files: MarkupFiles): Promise<void> 
   }
 }
 
-/** Cleans a style attribute: the browser parses it in a style sheet of its own. */
+/** Cleans a style attribute. */
 async function cleanStyle(element: Element, picture: ResolveCss): Promise<void> {
-  const sheet = new CSSStyleSheet();
-  const own = withoutPrefixes(element.getAttribute(styleAttribute) ?? "");
-  sheet.replaceSync(`x { ${own.replace(/[{}]/g, "")} }`);
-  const [rule] = sheet.cssRules;
-  const style = rule instanceof CSSStyleRule ? rule.style : null;
-  const clean = style ? await cleanDeclarations(style, picture) : "";
+  const own = element.getAttribute(styleAttribute) ?? "";
+  const clean = own === "" ? "" : await cleanStyleAttribute(own, picture);
   if (clean === "") element.removeAttribute(styleAttribute);
   else element.setAttribute(styleAttribute, clean);
 }

@@ -10,6 +10,8 @@ const policy = "default-src 'none'; img-src data:; font-src data:; style-src 'un
 export interface LayoutFrame {
   readonly document: Document;
   readonly root: HTMLElement;
+  /** What its style sheets are adopted by. */
+  readonly styled: DocumentOrShadowRoot;
   /** Applies style sheets, whatever the page's policy says of inline styles. */
   adopt(sheets: readonly string[]): void;
   /** Returns the fonts that its style sheets name. */
@@ -44,7 +46,7 @@ export async function openFrame(width: number, height: number): Promise<LayoutFr
     frame.adoptedStyleSheets = sheetsOf(sheets, frame.defaultView as Window & typeof globalThis);
   };
   return {
-    ...{ document: frame, root, adopt },
+    ...{ document: frame, root, styled: frame, adopt },
     fonts: () => [...frame.fonts],
     close: () => element.remove(),
   };
@@ -73,7 +75,7 @@ function openShadow(width: number, height: number): LayoutFrame {
     document.adoptedStyleSheets = [...others, ...rules];
   };
   return {
-    ...{ document, root },
+    ...{ document, root, styled: shadow },
     adopt: (sheets) => {
       shadow.adoptedStyleSheets = sheetsOf(sheets, window);
       // Fonts are the document's alone.
@@ -109,12 +111,36 @@ function sheetsOf(sheets: readonly string[], view: Window & typeof globalThis): 
 /** A rule of a font, as `cleanCss` writes it. */
 export const fontRule: RegExp = /@font-face \{ [^{}]*\}/g;
 
+/** Properties that move boxes after they are laid out. */
+const moving = ["transform", "translate", "rotate", "scale", "offset"];
+
 /** Gives elements their own styles. */
 export function applyInlineStyles(html: HTMLElement): void {
   for (const element of [html, ...html.querySelectorAll<HTMLElement>(`[${styleAttribute}]`)]) {
-    element.style.cssText = element.getAttribute(styleAttribute) ?? "";
+    const { style } = element;
+    style.cssText = element.getAttribute(styleAttribute) ?? "";
+    // More important than all, it could not be left out by `unmoved`.
+    for (const name of moving) {
+      if (style.getPropertyPriority(name)) style.setProperty(name, style.getPropertyValue(name));
+    }
     element.removeAttribute(styleAttribute);
   }
+}
+
+/** Returns what is measured while no box is moved: a box that is fills no pages, nor leaves any empty. */
+export function unmoved<T>({ document, styled }: LayoutFrame, measure: () => T): T {
+  const rule = `* { ${moving.map((name) => `${name}: none !important;`).join(" ")} }`;
+  // What is important in the first layer is above all else that is important in style sheets.
+  const first = sheetsOf(
+    [`@layer { ${rule} }`],
+    document.defaultView as Window & typeof globalThis,
+  );
+  // The others stay, with their fonts as they are loaded.
+  const sheets = styled.adoptedStyleSheets;
+  styled.adoptedStyleSheets = [...first, ...sheets];
+  const measured = measure();
+  styled.adoptedStyleSheets = sheets;
+  return measured;
 }
 
 /** Waits until the pictures and fonts of a section are there, or have failed. */

@@ -10,7 +10,14 @@ import {
   mediumKindAttribute,
   sourceAttribute,
 } from "./flow_book.ts";
-import { applyInlineStyles, fontRule, type LayoutFrame, loadedIn, openFrame } from "./frame.ts";
+import {
+  applyInlineStyles,
+  fontRule,
+  type LayoutFrame,
+  loadedIn,
+  openFrame,
+  unmoved,
+} from "./frame.ts";
 import { Markup } from "./markup.ts";
 import { blankIds, isNoteLink, noteText } from "./notes.ts";
 import { type PageFlow, pageOfRect, TextMap } from "./text_map.ts";
@@ -322,7 +329,7 @@ async function layIn<T>(
     ? 1
     : isSliced
       ? sliceCount(html, page)
-      : countPages(html, flow, page);
+      : unmoved(frame, () => countPages(html, flow, page));
   const paper = content.size ? "#fff" : paperOf(typography);
   const map = {
     pageCount,

@@ -1,0 +1,214 @@
+/** Broken and hostile PDFs, and books that are closed at any moment, leave nothing uncaught behind. */
+
+import { afterEach, beforeEach, expect, test } from "vitest";
+import { commands } from "vitest/browser";
+import { clock } from "../for_tests/clock.ts";
+import { openSource } from "./open.ts";
+import { BookError, type PageSource } from "./page_source.ts";
+import { jpeg2000, type TinyPdf, tinyPdf } from "./tiny_pdf.ts";
+
+const never = new AbortController().signal;
+const text = "BT /F1 16 Tf 30 230 Td (Call me Ishmael) Tj ET\n";
+const image = "q 200 0 0 300 0 0 cm /I1 Do Q\n";
+const helvetica = "/Font << /F1 << /Type /Font /Subtype /Type1 /BaseFont /Helvetica >> >>";
+const fontFile = (kind: string, bytes: string): string[] => [
+  `<< /Type /Font /Subtype /TrueType /BaseFont /A /FirstChar 32 /LastChar 34 /Widths [500 500 500] /FontDescriptor 11 0 R >>`,
+  `<< /Type /FontDescriptor /FontName /A /Flags 4 /${kind} 12 0 R >>`,
+  stream("", bytes),
+];
+const stream = (entries: string, bytes: string): string =>
+  `<< ${entries} /Length ${bytes.length} >>\nstream\n${bytes}\nendstream`;
+const picture = (entries: string, bytes = "rubbish"): string =>
+  stream(`/Type /XObject /Subtype /Image /Width 9 /Height 9 ${entries}`, bytes);
+const grey = "/ColorSpace /DeviceGray /BitsPerComponent 8";
+
+const whole: TinyPdf = { pages: [text, text, image], resources: helvetica };
+const latin1 = (bytes: Uint8Array): string =>
+  Array.from(bytes, (byte) => String.fromCharCode(byte)).join("");
+const asBytes = (from: string): Uint8Array<ArrayBuffer> =>
+  Uint8Array.from(from, (letter) => letter.charCodeAt(0));
+const changed = (change: (pdf: string) => string, pdf = whole): Uint8Array<ArrayBuffer> =>
+  asBytes(change(latin1(tinyPdf(pdf))));
+const withFont = (kind: string, bytes: string): Uint8Array<ArrayBuffer> =>
+  tinyPdf({ pages: [text], resources: "/Font << /F1 10 0 R >>", objects: fontFile(kind, bytes) });
+const withImage = (...objects: string[]): Uint8Array<ArrayBuffer> =>
+  tinyPdf({ pages: [image], resources: "/XObject << /I1 10 0 R >>", objects });
+
+/** Files by what is wrong with them. */
+const broken: Readonly<Record<string, () => Uint8Array<ArrayBuffer>>> = {
+  ...Object.fromEntries(
+    Array.from({ length: 12 }, (_, k) => [
+      `ends after ${k + 1} thirteenths`,
+      () => changed((pdf) => pdf.slice(0, ((k + 1) * pdf.length) / 13)),
+    ]),
+  ),
+  "a table of references that is elsewhere": () =>
+    changed((pdf) => pdf.replace(/startxref\n\d+/, "startxref\n7")),
+  "references to other objects": () =>
+    changed((pdf) => pdf.replace(/\d{10} 00000 n/g, "0000000011 00000 n")),
+  "no trailer": () => changed((pdf) => pdf.replace("trailer", "tr")),
+  "pages that are their own parents": () =>
+    changed((pdf) => pdf.replace(/\/Kids \[[^\]]*\]/, "/Kids [2 0 R 2 0 R]")),
+  "more pages than there are": () => changed((pdf) => pdf.replace("/Count 3", "/Count 9000")),
+  "a page that is none": () => changed((pdf) => pdf.replace("/Type /Page ", "/Type /Font ")),
+  "contents of another length": () =>
+    changed((pdf) => pdf.replace(/\/Length \d+/g, "/Length 99999999")),
+  "contents that are no stream": () => changed((pdf) => pdf.replace(/endstream/g, "x")),
+  "contents of an unknown filter": () =>
+    changed((pdf) => pdf.replace(/\/Length/g, "/Filter /Unknown /Length")),
+  "contents that are not compressed as they say": () =>
+    changed((pdf) => pdf.replace(/\/Length/g, "/Filter /FlateDecode /Length")),
+  "operators without operands": () =>
+    tinyPdf({ pages: ["Tj TJ Do sh cm re scn BI ID EI gs Q Q Q q"], resources: helvetica }),
+  "no operators": () => tinyPdf({ pages: ["\x00\xff<<[(("] }),
+  "encrypted in an unknown way": () =>
+    changed((pdf) => pdf.replace("/Root", "/Encrypt << /Filter /Other /V 9 >> /Root")),
+  "a font of rubbish": () => withFont("FontFile2", "rubbish"),
+  "an empty font": () => withFont("FontFile2", ""),
+  "a font that is a head only": () => withFont("FontFile2", "\x00\x01\x00\x00\xff\xff".repeat(20)),
+  "a font of CFF rubbish": () => withFont("FontFile3", "\x01\x00\x04\x04".repeat(40)),
+  "a font of Type 1 rubbish": () => withFont("FontFile", "%!PS-AdobeFont-1.0 eexec zz"),
+  "a font that draws itself": () =>
+    tinyPdf({
+      pages: [text],
+      resources: "/Font << /F1 10 0 R >>",
+      objects: [
+        "<< /Type /Font /Subtype /Type3 /FontBBox [0 0 9 9] /FontMatrix [1 0 0 1 0 0] /CharProcs << /a 11 0 R >> /Encoding << /Differences [67 /a] >> /FirstChar 67 /LastChar 67 /Widths [9] /Resources << /Font << /F1 10 0 R >> >> >>",
+        stream("", "9 0 d0 BT /F1 9 Tf (C) Tj ET"),
+      ],
+    }),
+  ...Object.fromEntries(
+    ["DCTDecode", "JPXDecode", "JBIG2Decode", "CCITTFaxDecode", "FlateDecode", "LZWDecode"].map(
+      (filter) => [
+        `an image that is no ${filter}`,
+        () => withImage(picture(`${grey} /Filter /${filter}`)),
+      ],
+    ),
+  ),
+  "an image of another size": () =>
+    withImage(picture(`${grey} /Width 60000 /Height 60000 /Filter /DCTDecode`)),
+  "an image that is half there": () =>
+    changed(
+      (pdf) =>
+        pdf.replace(
+          /\/Filter \/JPXDecode([\s\S]*?)stream\n([\s\S]{60})[\s\S]*?endstream/,
+          "/Filter /JPXDecode$1stream\n$2\nendstream",
+        ),
+      jpeg2000,
+    ),
+  "an image masked by itself": () => withImage(picture(`${grey} /SMask 10 0 R`, "x".repeat(81))),
+  "an image of no colours": () => withImage(picture("/ColorSpace [/Indexed 9 9 9]")),
+  "a form that draws itself": () =>
+    withImage(
+      stream(
+        "/Type /XObject /Subtype /Form /BBox [0 0 9 9] /Resources << /XObject << /I1 10 0 R >> >>",
+        image,
+      ),
+    ),
+};
+
+/** What was left uncaught in the page; its workers' comes from the browser's driver. */
+let uncaught: unknown[] = [];
+const note = (event: PromiseRejectionEvent): void => void uncaught.push(event.reason);
+
+beforeEach(async () => {
+  uncaught = [];
+  addEventListener("unhandledrejection", note);
+  await commands.consoleMessages();
+});
+afterEach(() => removeEventListener("unhandledrejection", note));
+
+/** Fails if anything was left uncaught, or written on the console. */
+async function expectQuiet(): Promise<void> {
+  // Rejections are reported once their task is over, and the workers end by themselves.
+  await clock.pass(3000);
+  expect([...uncaught, ...(await commands.consoleMessages())]).toEqual([]);
+}
+
+/** Reads all of the first pages at once. Errors are to be of the viewer. */
+async function read(source: PageSource): Promise<void> {
+  const readings = Array.from({ length: Math.min(source.pageCount, 3) }, (_, k) => [
+    source.size(k),
+    ...[source.draw(k, 60, never), source.text?.(k, never), source.links?.(k, never)],
+    ...[source.fields?.(k, never), source.alt?.(k, never), source.text?.(k, never, true)],
+  ]);
+  const rest = [source.outline?.(never), source.file?.()];
+  for (const result of await Promise.allSettled([...readings.flat(), ...rest])) {
+    if (result.status === "rejected") expect(result.reason).toBeInstanceOf(BookError);
+  }
+}
+
+test.each(Object.keys(broken))("a PDF with %s", async (what) => {
+  const bytes = (broken[what] as () => Uint8Array<ArrayBuffer>)();
+  const source = await openSource(bytes, { askPassword: async () => null }).catch(
+    (error: unknown) => error,
+  );
+  if (source instanceof Error) expect(source).toBeInstanceOf(BookError);
+  else {
+    await read(source as PageSource);
+    (source as PageSource).close();
+  }
+  await expectQuiet();
+});
+
+test("closed while its pages are drawn and read, at any moment", async () => {
+  for (let moment = 0; moment < 12; moment++) {
+    const source = await openSource(tinyPdf(whole));
+    const reading = read(source);
+    for (let k = 0; k < moment; k++) await Promise.resolve();
+    if (moment > 8) await source.size(2);
+    source.close();
+    await reading;
+  }
+  await expectQuiet();
+});
+
+test("aborted while it opens, is drawn or waits for a password", async () => {
+  for (const moment of [0, 1, 5, 20, 80]) {
+    const controller = new AbortController();
+    const opening = openSource(tinyPdf(whole), { signal: controller.signal });
+    for (let k = 0; k < moment; k++) await Promise.resolve();
+    controller.abort(new Error("another book"));
+    await expect(opening).rejects.toThrow("another book");
+  }
+  const source = await openSource(tinyPdf(whole));
+  const controller = new AbortController();
+  const drawing = source.draw(0, 60, controller.signal);
+  controller.abort(new Error("another page"));
+  await expect(drawing).rejects.toThrow("another page");
+  source.close();
+  await expectQuiet();
+});
+
+test("whose worker ends while it is read", async () => {
+  const workers: Worker[] = [];
+  const { Worker: Real } = globalThis;
+  globalThis.Worker = class extends Real {
+    constructor(...how: ConstructorParameters<typeof Worker>) {
+      super(...how);
+      workers.push(this);
+    }
+  };
+  const source = await openSource(tinyPdf(whole));
+  globalThis.Worker = Real;
+  const reading = read(source);
+  for (const worker of workers)
+    worker.dispatchEvent(new ErrorEvent("error", { message: "It ended." }));
+  await reading;
+  for (const worker of workers) worker.terminate();
+  source.close();
+  await expectQuiet();
+});
+
+test("printed by Chromium is read without a word on the console", async () => {
+  const bytes = await commands.printedPdf(
+    `<h1>One</h1><p lang="ar">مرحبا</p><p>ﬁ 日本 é <b>bold</b> <i>italic</i></p><svg width="90" height="90"><linearGradient id="g"><stop stop-color="red"/><stop offset="1"/></linearGradient><circle r="40" cx="45" cy="45" fill="url(#g)" opacity=".5"/></svg><img src="data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mNk+M9QDwADhgGAWjR9awAAAABJRU5ErkJggg=="><a href="https://example.com">A link</a><form><input value="x"></form><p style="break-before: page; text-shadow: 1px 1px 2px red">Two</p>`,
+  );
+  const source = await openSource(asBytes(atob(bytes)));
+  await read(source);
+  expect(source.pageCount).toBe(2);
+  const picture = await source.draw(0, 900, never);
+  expect(picture.width).toBe(900);
+  source.close();
+  await expectQuiet();
+});
