@@ -92,10 +92,16 @@ function faultsOfPage(picture, size, runs, isFixed) {
   return faults;
 }
 
-/** Returns what one text has and another has not, in order: stretches of either. */
+/**
+ * Returns what one text has and another has not: stretches of either, each with
+ * the letters before it. What both have, though elsewhere, is not among them.
+ */
 function differences(wanted, found) {
   const [lost, extra] = [[], []];
-  const step = 12;
+  const stretch = (text, from, to) => ({
+    text: text.slice(from, to),
+    after: text.slice(Math.max(from - 16, 0), from),
+  });
   let [i, j] = [0, 0];
   while (i < wanted.length || j < found.length) {
     if (wanted[i] === found[j]) {
@@ -103,36 +109,38 @@ function differences(wanted, found) {
       j++;
       continue;
     }
-    // The nearest place from which both go on alike.
-    let best = null;
-    for (let skip = 0; skip < 3000 && i + skip <= wanted.length; skip++) {
-      const next = wanted.slice(i + skip, i + skip + step);
-      if (next === "") break;
-      const at = found.indexOf(next, j);
-      if (at >= 0 && (!best || skip + at - j < best[0] + best[1] - i - j + 0)) {
-        best = [i + skip, at];
-        if (at - j < 200) break;
-      }
-    }
-    const [to, from] = best ?? [wanted.length, found.length];
-    if (to > i) lost.push(wanted.slice(i, to));
-    if (from > j) extra.push(found.slice(j, from));
+    const [to, from] = nextAlike(wanted, found, i, j);
+    if (to > i) lost.push(stretch(wanted, i, to));
+    if (from > j) extra.push(stretch(found, j, from));
     [i, j] = [to, from];
   }
-  // What was moved is on one page all the same.
-  for (const stretch of [...lost]) {
-    const at = extra.findIndex((other) => other.includes(stretch));
-    if (at < 0) continue;
-    extra[at] = extra[at].replace(stretch, "");
-    lost.splice(lost.indexOf(stretch), 1);
+  for (const one of lost) cancel(one, extra);
+  for (const one of extra) cancel(one, lost);
+  const isLeft = ({ text }) => text !== "";
+  return { lost: lost.filter(isLeft), extra: extra.filter(isLeft) };
+}
+
+/** Letters that two texts have in common where they go on alike, and how far the place is looked for. */
+const [alike, reach] = [12, 3000];
+
+/** Returns the nearest places from which two texts go on alike after `i` and `j`; their ends if there are none. */
+function nextAlike(wanted, found, i, j) {
+  let best = [wanted.length, found.length];
+  const cost = ([to, from]) => to - i + from - j;
+  for (let to = i; to < Math.min(i + reach, wanted.length) && to - i < cost(best); to++) {
+    const next = wanted.slice(to, to + alike);
+    const from = found.slice(j, j + reach).indexOf(next);
+    if (from >= 0 && cost([to, j + from]) < cost(best)) best = [to, j + from];
   }
-  for (const stretch of [...extra]) {
-    const at = stretch === "" ? -2 : lost.findIndex((other) => other.includes(stretch));
-    if (at === -1) continue;
-    if (at >= 0) lost[at] = lost[at].replace(stretch, "");
-    extra.splice(extra.indexOf(stretch), 1);
-  }
-  return { lost: lost.filter((one) => one !== ""), extra: extra.filter((one) => one !== "") };
+  return best;
+}
+
+/** Takes a stretch out of the one of others that has it too. */
+function cancel(stretch, others) {
+  const other = others.find(({ text }) => text !== "" && text.includes(stretch.text));
+  if (!other || stretch.text === "") return;
+  other.text = other.text.replace(stretch.text, () => "");
+  stretch.text = "";
 }
 
 /** Returns the lines of contents with those beneath them, in order. */
@@ -155,10 +163,11 @@ async function compare(base, found) {
   const beside = chapters.filter(({ isLinear }, k) => !isLinear && k > first && first >= 0);
   const wanted = [...inOrder, ...beside].map(({ letters }) => letters).join("");
   const { lost, extra } = differences(wanted, found.letters.join(""));
-  for (const text of lost.slice(0, 5)) faults.push(["lost", text.slice(0, 80)]);
+  const words = ({ text, after }) => `${after}[${text.slice(0, 80)}]`;
+  for (const one of lost.slice(0, 5)) faults.push(["lost", words(one)]);
   const instead = chapters.flatMap((chapter) => chapter.instead).join("");
-  const more = extra.filter((text) => !instead.includes(text));
-  for (const text of more.slice(0, 5)) faults.push(["extra", text.slice(0, 80)]);
+  const more = extra.filter(({ text }) => !instead.includes(text));
+  for (const one of more.slice(0, 5)) faults.push(["extra", words(one)]);
   const empty = chapters.filter(({ isEmpty }) => isEmpty).length;
   if (found.blank.length > empty) {
     faults.push(["blank", `pages ${found.blank.map((index) => index + 1).join(", ")}`]);

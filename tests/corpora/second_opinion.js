@@ -54,6 +54,8 @@ function isPlaced(node) {
 function* piecesOf(root) {
   const walker = root.ownerDocument.createTreeWalker(root, NodeFilter.SHOW_TEXT);
   for (let node = walker.nextNode(); node; node = walker.nextNode()) {
+    // Readings stand beside what they read, and are no text of their own.
+    if (node.parentElement.closest("rt, rp")) continue;
     // Of a switch, what is for systems that know more than plain Chromium is not read.
     if (node.parentElement.closest("case")?.namespaceURI === ops) continue;
     if (/\S/.test(node.data) && isSeen(node.parentElement) && isPlaced(node)) yield node;
@@ -129,7 +131,9 @@ async function contentsOf({ items, ncx: old }) {
     );
     return [...(list?.querySelectorAll("li > a, li > span") ?? [])].map((line) => ({
       title: line.textContent,
-      address: new URL(line.getAttribute("href") ?? "#", nav.address).href,
+      address: line.hasAttribute("href")
+        ? new URL(line.getAttribute("href"), nav.address).href
+        : "",
     }));
   }
   if (!old) return [];

@@ -100,6 +100,16 @@ test("a view's lengths are those of the type area", async () => {
   expect(half?.x).toBeCloseTo(53 + (width - 106) / 2, 0);
 });
 
+test("text that is hidden is not read", async () => {
+  const source = await laidOutEpub({
+    chapters: [
+      '<p>seen <span style="visibility: hidden">hidden <b style="visibility: visible">again</b></span></p>',
+    ],
+  });
+  expect((await pagesOf(source)).map(letters)).toEqual(["seenagain"]);
+  await expectDrawnAsLaid(source);
+});
+
 const long = prose(7, 60);
 test("a section is set as most of its text is written", async () => {
   const source = await laidOutEpub({
@@ -134,6 +144,10 @@ test.each([
   ["a float", `<div style="float: left; width: 60%">${long}</div>`],
   ["a fixed width", `<div style="width: 900px">${long}</div>`],
   ["a preformatted line", `<pre style="white-space: pre">${"word ".repeat(100)}</pre>`],
+  [
+    "blanks over the end of a line",
+    `<pre style="white-space: pre-wrap">${`word${" ".repeat(200)}\n`.repeat(60)}</pre>`,
+  ],
   ["a line that does not break", `<p style="white-space: nowrap">${"word ".repeat(60)}</p>`],
   [
     "a table of six columns",

@@ -112,7 +112,7 @@ export class TextMap {
     return last < 0 ? null : { node, offset, first, last };
   }
 
-  /** Returns the first character of a piece that is on a page or after it. */
+  /** Returns the first character of a piece that is on a page or after it, blanks apart. */
   #firstOn({ node }: Piece, page: number): number {
     let [low, high] = [0, node.length];
     while (low < high) {
@@ -121,12 +121,14 @@ export class TextMap {
       if (rect === null || pageOfRect(this.#flow, rect) >= page) high = middle;
       else low = middle + 1;
     }
-    return low;
+    return nextLetter(node.data, low);
   }
 
-  /** Returns the place of the first character from `at` on that has one. */
+  /** Returns the place of the first character from `at` on that has one, blanks apart. */
   #rectFrom(node: Text, at: number): DOMRect | null {
-    const k = this.#firstPlaced(node, at);
+    let k = at;
+    do k = this.#firstPlaced(node, nextLetter(node.data, k));
+    while (isBlank(node.data, k));
     return this.#rectOf(node, k, k + 1);
   }
 
@@ -174,7 +176,7 @@ export class TextMap {
         continue;
       }
       const on = pageOfRect(this.#flow, rect);
-      if (on > page) break;
+      if (on > page && !isBlank(text, k)) break;
       const letters = cleanRun(text.slice(k, next));
       if (on === page && letters !== "") {
         const box = this.#onPage(rect, page);
@@ -184,7 +186,7 @@ export class TextMap {
         }
         line.text += letters;
         for (let unit = 0; unit < letters.length; unit++) line.boxes.push(box);
-        line.box = union(line.box, box);
+        if (!isBlank(text, k)) line.box = union(line.box, box);
       }
       k = next;
     }
@@ -202,7 +204,7 @@ export class TextMap {
     const end = next === undefined || !continues({ box }, next.box, isVertical);
     const run = { text, ...box, angle: 0, end, ...(isVertical ? { vertical: true } : {}) };
     if (!exact || isVertical || box.width === 0) return run;
-    const places = boxes.map(({ x }) => (x - box.x) / box.width);
+    const places = boxes.map(({ x }) => Math.min((x - box.x) / box.width, 1));
     // Places are those of letters that run to the right.
     const isRising = places.every((place, k) => k === 0 || place >= (places[k - 1] as number));
     return isRising ? { ...run, places } : run;
@@ -214,6 +216,21 @@ interface Line {
   text: string;
   box: PageBox;
   readonly boxes: PageBox[];
+}
+
+/**
+ * Returns whether a character is a blank. Blanks at the end of a preformatted line hang over it, as far
+ * as into the page beside: where they are says nothing of where the text goes on, nor of how long it is.
+ */
+function isBlank(text: string, at: number): boolean {
+  return /\s/.test(text.charAt(at));
+}
+
+/** Returns the first character from `at` on that is no blank; the text's length if there is none. */
+function nextLetter(text: string, at: number): number {
+  const letter = /\S/g;
+  letter.lastIndex = at;
+  return letter.exec(text)?.index ?? text.length;
 }
 
 /** Returns whether a box stands on the line of another: more than half beside it. */
@@ -232,10 +249,14 @@ function union(a: PageBox, b: PageBox): PageBox {
   return { x, y, width: right - x, height: below - y };
 }
 
-/** Returns the text nodes that are read: readings of ruby stand beside what they read. */
+/** Returns the text nodes that are read: seen, and not the readings of ruby, which stand beside what they read. */
 function* textNodes(body: Element): Generator<Text> {
+  const view = body.ownerDocument.defaultView as Window;
   const walker = body.ownerDocument.createTreeWalker(body, NodeFilter.SHOW_TEXT);
   for (let node = walker.nextNode(); node !== null; node = walker.nextNode()) {
-    if (!node.parentElement?.closest("rt, rp")) yield node as Text;
+    const parent = node.parentElement as Element;
+    if (parent.closest("rt, rp") || view.getComputedStyle(parent).visibility !== "visible")
+      continue;
+    yield node as Text;
   }
 }
