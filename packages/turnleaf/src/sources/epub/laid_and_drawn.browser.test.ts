@@ -100,6 +100,27 @@ test("a view's lengths are those of the type area", async () => {
   expect(half?.x).toBeCloseTo(53 + (width - 106) / 2, 0);
 });
 
+test.each(["horizontal-tb", "vertical-rl"])(
+  "lines with ruby are where they are laid, %s",
+  async (mode) => {
+    // The readings, which take room and are no text of their own, are not drawn.
+    const source = await laidOutEpub({
+      chapters: ["<p><ruby>base<rt>reading</rt></ruby> and the rest</p>".repeat(60)],
+      css: `html { writing-mode: ${mode} } p { margin: 0; line-height: 1.5 } rt { visibility: hidden }`,
+    });
+    expect(letters((await pagesOf(source)).join(""))).toBe("baseandtherest".repeat(60));
+    await expectDrawnAsLaid(source);
+  },
+);
+
+test("a book's style of drawings and boxes is not that of the page's own", async () => {
+  const source = await laidOutEpub({
+    chapters: [prose(12, 40)],
+    css: "svg, foreignObject { width: 10px; opacity: 0.5; display: none } div { margin: 40px }",
+  });
+  await expectDrawnAsLaid(source);
+});
+
 test("text that is hidden is not read", async () => {
   const source = await laidOutEpub({
     chapters: [

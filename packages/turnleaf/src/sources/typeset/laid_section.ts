@@ -8,7 +8,7 @@ import {
   mediumKindAttribute,
   styleAttribute,
 } from "./flow_book.ts";
-import { adoptStyles, type LayoutFrame, openFrame } from "./frame.ts";
+import { adoptStyles, drawingOf, type LayoutFrame, openFrame, ownStyle } from "./frame.ts";
 import { Markup } from "./markup.ts";
 import { isNoteLink, noteText } from "./notes.ts";
 import { type PageFlow, pageOfRect, TextMap } from "./text_map.ts";
@@ -222,7 +222,7 @@ export class LaidSection {
   alt(page: number): string {
     const said = [...this.#frame.root.querySelectorAll("img[alt], svg > title")]
       .filter((element) => {
-        const [rect] = (element.closest("svg") ?? element).getClientRects();
+        const [rect] = drawingOf(element, this.#html).getClientRects();
         return rect !== undefined && pageOfRect(this.#flow, rect) === page;
       })
       .map((element) => element.getAttribute("alt") ?? element.textContent);
@@ -267,7 +267,9 @@ async function layIn<T>(
   const html = frame.document.importNode(content.root, true) as HTMLElement;
   applyInlineStyles(html);
   const sheet = frame.document.createElement("div");
-  sheet.style.cssText = `position: absolute; left: 0; top: 0; width: ${size.width}px; height: ${size.height}px; font-size: ${rootSize}px`;
+  sheet.style.cssText = ownStyle(
+    `display: block; position: absolute; left: 0; top: 0; width: ${size.width}px; height: ${size.height}px; font-size: ${rootSize}px`,
+  );
   sheet.append(html);
   frame.root.append(sheet);
   const body = html.querySelector("body") ?? html;
@@ -292,7 +294,7 @@ async function layIn<T>(
   // What the book calls the root's size is that of its own <html>.
   const rem = view.getComputedStyle(html).fontSize;
   html.style.setProperty("font-size", rem, "important");
-  frame.root.style.fontSize = rem;
+  frame.drawing.style.setProperty("font-size", rem, "important");
   adoptStyles(frame, own);
   await loadedIn(frame, html);
   if (!content.size) {
