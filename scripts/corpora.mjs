@@ -18,8 +18,7 @@ const list = JSON.parse(readFileSync(join(import.meta.dirname, "corpora.json"), 
 
 /**
  * The collections by name: the address and the commit that are fetched, the
- * folders in it that are read, what they are ("title"), and the folder where it
- * lies here.
+ * folders in it that are read, and the folder where it lies here.
  */
 export const corpora = Object.fromEntries(
   list.map((one) => [one.name, { ...one, folder: join(folder, one.name) }]),
@@ -47,11 +46,11 @@ function fetchCollection({ address, commit, folders, folder }) {
   mkdirSync(folder, { recursive: true });
   const git = (...what) => execFileSync("git", ["-C", folder, ...what], { stdio: "inherit" });
   git("init", "--quiet");
-  // What lies elsewhere in a collection, such as its programs, is neither fetched nor written.
-  git("sparse-checkout", "set", "--no-cone", ...folders.map((one) => `/${one}`));
-  git("fetch", "--quiet", "--depth", "1", "--filter=blob:none", address, commit);
   git("config", "remote.origin.url", address);
-  git("config", "remote.origin.promisor", "true");
+  // What lies elsewhere in a collection, such as its programs, is neither fetched nor written.
+  const patterns = folders.map((one) => (one === "." ? "/*" : `/${one}`));
+  git("sparse-checkout", "set", "--no-cone", ...patterns);
+  git("fetch", "--quiet", "--depth", "1", "--filter=blob:none", "origin", commit);
   git("checkout", "--quiet", "--force", commit);
 }
 

@@ -144,12 +144,9 @@ for (const { name, folder, folders } of chosen) {
     continue;
   }
   const pattern = new RegExp(values.match);
-  const books = places
-    .flatMap((place) => booksIn(place))
-    .filter(({ path }) => pattern.test(path))
-    .filter((_, k) => k % Number(values.every) === 0);
+  const books = places.flatMap((place) => booksIn(place)).filter(({ path }) => pattern.test(path));
   const rows = [];
-  for (const book of books) {
+  for (const book of books.filter((_, k) => k % Number(values.every) === 0)) {
     const found = await judgeBook(book);
     rows.push({ path: book.path, format: book.format, ...found });
     const verdict = found.refused
@@ -159,7 +156,8 @@ for (const { name, folder, folders } of chosen) {
     for (const fault of (found.faults ?? []).slice(0, 12))
       console.log("   ", JSON.stringify(fault));
     if (found.foreign) console.log("    asked:", found.foreign.slice(0, 3).join(" "));
-    writeFileSync(join(results, `${name}.json`), `${JSON.stringify(rows, null, 1)}\n`);
+    const result = { total: books.length, books: rows };
+    writeFileSync(join(results, `${name}.json`), `${JSON.stringify(result, null, 1)}\n`);
   }
 }
 await opened?.close();
