@@ -144,9 +144,12 @@ for (const { name, folder, folders } of chosen) {
     continue;
   }
   const pattern = new RegExp(values.match);
-  const books = places.flatMap((place) => booksIn(place)).filter(({ path }) => pattern.test(path));
+  const books = places.flatMap((place) => booksIn(place));
+  const tried = books
+    .filter(({ path }) => pattern.test(path))
+    .filter((_, k) => k % Number(values.every) === 0);
   const rows = [];
-  for (const book of books.filter((_, k) => k % Number(values.every) === 0)) {
+  for (const book of tried) {
     const found = await judgeBook(book);
     rows.push({ path: book.path, format: book.format, ...found });
     const verdict = found.refused

@@ -173,6 +173,9 @@ export async function secondOpinion(base) {
         throw new Error(`${address} is not well-formed`);
       }
       const root = contentDocument.body ?? contentDocument.documentElement;
+      if (!/1999\/xhtml$|2000\/svg$/.test(root.namespaceURI)) {
+        throw new Error(`${address} is not XHTML`);
+      }
       const pieces = [...piecesOf(root)];
       const letters = lettersOf(pieces.map(({ data }) => data).join(""));
       const instead = [...root.querySelectorAll("audio, video, object, iframe, canvas")];
