@@ -117,6 +117,7 @@ async function readPackage(base) {
     for (let k = 0; item && !isShown(item) && k < 10; k++) item = items.get(item.fallback);
     return item ? [{ ...item, isLinear: reference.getAttribute("linear") !== "no" }] : [];
   });
+  if (spine.length === 0) throw new Error("Its spine names no document");
   const toc = xml.getElementsByTagNameNS(opf, "spine")[0]?.getAttribute("toc");
   return { items: [...items.values()], spine, ncx: items.get(toc) };
 }
