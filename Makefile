@@ -17,7 +17,7 @@ TOOLS = target/check_tools/bin
 SOURCES = $(shell find packages -type f -not -path '*/node_modules/*' -not -path '*/dist/*' -not -path '*/tests/*' -not -path '*/for_tests/*' -not -name '*.test.ts')
 RUST_SOURCES = $(shell find Cargo.toml Cargo.lock rust-toolchain.toml engine/Cargo.toml wasm/Cargo.toml engine/src wasm/src -type f)
 
-.PHONY: read build wasm unpacker test test-rust test-js test-long check check-rust check-js check-licences size bench bench-peers bench-hanging gestures gestures-creases soak soak-folds fuzz playground examples pictures films methods recordings photographs reference site book clean tools-rust chromium browsers engines test-apps test-iiif test-cluster test-publish corpora report-epub
+.PHONY: read build wasm unpacker test test-rust test-js test-long check check-rust check-js check-licences size bench bench-peers bench-hanging gestures gestures-creases soak soak-folds fuzz playground examples pictures films methods recordings photographs reference site book clean tools-rust chromium browsers engines test-apps test-iiif test-cluster test-publish corpora report-corpora report-epub
 
 read: build
 	node $(CLI) read "$(BOOK)" $(if $(PORT),--port $(PORT)) $(if $(filter no,$(OPEN)),--no-open)
@@ -194,10 +194,18 @@ fuzz: $(MODULES) tools-rust chromium
 	TURNLEAF_SEED=$(SEED) TURNLEAF_FUZZ=$(FUZZ) TURNLEAF_VERDICTS=$(CURDIR)/target/mutated.verdicts npx vitest run --project node --project command fuzz.test manifest.test hostile.test verdicts.test
 	TURNLEAF_SEED=$(SEED) TURNLEAF_FUZZ=$(FUZZ) npx vitest run --project chromium fuzz.browser.test
 
-# Public collections of books, each at one commit, into a folder that git ignores.
+# Public collections of books, each at one commit, into a folder that git ignores; those that are
+# elsewhere already are found by TURNLEAF_CORPORA.
 corpora:
 	@command -v git >/dev/null || { echo "This needs git: install it, then run it again." >&2; exit 1; }
 	node scripts/corpora.mjs
+
+# Every book of the collections in Chromium, or every EVERYth, judged without an eye: docs/reports/corpora.md.
+# Takes hours for all of them.
+EVERY ?= 1
+report-corpora: build chromium corpora
+	node tests/corpora/run.mjs --every $(EVERY)
+	node tests/corpora/report.mjs
 
 # Every test book of w3c/epub-tests in Chromium, judged by the condition that it states: the report in
 # docs/reports and its tables in docs/sources.md. Takes about ten minutes on two cores.

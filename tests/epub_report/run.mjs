@@ -13,7 +13,7 @@ import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { corpora } from "../../scripts/corpora.mjs";
 import { includeTables, writeTable } from "../../scripts/docs_tables.mjs";
-import { openPage } from "./page.mjs";
+import { openPage } from "../books_page.mjs";
 import { bookOf, factsOf, stoodInFor, testNames } from "./test_books.mjs";
 import { missing, notApplicable } from "./verdicts.mjs";
 
@@ -26,8 +26,8 @@ const patience = 120_000;
 
 /** Runs in the page: judges one book. Returns the verdict, why, and a picture of its first pages. */
 async function judge({ name, id, hasCheck, patience }) {
-  const { OpenedBook, contactSheet } = await import("/report/opened_book.js");
-  const { checks } = await import("/report/checks.js");
+  const { OpenedBook, contactSheet } = await import("/tests/epub_report/opened_book.js");
+  const { checks } = await import("/tests/epub_report/checks.js");
   const bytesOf = async (address) =>
     new Uint8Array(await (await fetch(`/books/${address}`)).arrayBuffer());
   const others = {
@@ -62,7 +62,12 @@ const names = process.argv.slice(2);
 const isWhole = names.length === 0;
 const reported = isWhole ? {} : JSON.parse(readFileSync(reportFile, "utf8")).tests;
 mkdirSync(pictures, { recursive: true });
-const { page, foreign, close } = await openPage(bookOf);
+/** Returns the book of an address, without the files that it asks to leave out. */
+function respond({ pathname, searchParams }) {
+  const left = new RegExp(searchParams.get("without") ?? "^$");
+  return { body: Buffer.from(bookOf(pathname.replace(/^\/books\//, ""), left)) };
+}
+const { page, foreign, close } = await openPage(respond);
 await page.exposeFunction("foreignRequests", () => foreign);
 const { checks } = await import("./checks.js");
 const results = [];

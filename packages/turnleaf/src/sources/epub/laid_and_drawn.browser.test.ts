@@ -100,6 +100,37 @@ test("a view's lengths are those of the type area", async () => {
   expect(half?.x).toBeCloseTo(53 + (width - 106) / 2, 0);
 });
 
+test.each(["horizontal-tb", "vertical-rl"])(
+  "lines with ruby are where they are laid, %s",
+  async (mode) => {
+    // The readings, which take room and are no text of their own, are not drawn.
+    const source = await laidOutEpub({
+      chapters: ["<p><ruby>base<rt>reading</rt></ruby> and the rest</p>".repeat(60)],
+      css: `html { writing-mode: ${mode} } p { margin: 0; line-height: 1.5 } rt { visibility: hidden }`,
+    });
+    expect(letters((await pagesOf(source)).join(""))).toBe("baseandtherest".repeat(60));
+    await expectDrawnAsLaid(source);
+  },
+);
+
+test("a book's style of drawings and boxes is not that of the page's own", async () => {
+  const source = await laidOutEpub({
+    chapters: [prose(12, 40)],
+    css: "svg, foreignObject { width: 10px; opacity: 0.5; display: none } div { margin: 40px }",
+  });
+  await expectDrawnAsLaid(source);
+});
+
+test("text that is hidden is not read", async () => {
+  const source = await laidOutEpub({
+    chapters: [
+      '<p>seen <span style="visibility: hidden">hidden <b style="visibility: visible">again</b></span></p>',
+    ],
+  });
+  expect((await pagesOf(source)).map(letters)).toEqual(["seenagain"]);
+  await expectDrawnAsLaid(source);
+});
+
 const long = prose(7, 60);
 test("a section is set as most of its text is written", async () => {
   const source = await laidOutEpub({
@@ -134,6 +165,10 @@ test.each([
   ["a float", `<div style="float: left; width: 60%">${long}</div>`],
   ["a fixed width", `<div style="width: 900px">${long}</div>`],
   ["a preformatted line", `<pre style="white-space: pre">${"word ".repeat(100)}</pre>`],
+  [
+    "blanks over the end of a line",
+    `<pre style="white-space: pre-wrap">${`word${" ".repeat(200)}\n`.repeat(60)}</pre>`,
+  ],
   ["a line that does not break", `<p style="white-space: nowrap">${"word ".repeat(60)}</p>`],
   [
     "a table of six columns",

@@ -104,3 +104,24 @@ test("a FictionBook with bare ampersands and named characters", async () => {
   expect(source.title).toBe("Tom & Jerry");
   expect((await pagesOf(source)).join(" ")).toContain("Text a & b x TAIL");
 });
+
+test.each([
+  ["no spine", ""],
+  ["an empty spine", "<spine/>"],
+  ["a spine that names nothing", "<spine><itemref/></spine>"],
+])("a package with %s is read in the order of its manifest", async (_, spine) => {
+  const item = (name: string, type = "application/xhtml+xml", more = ""): string =>
+    `<item id="${name}" href="${name}.xhtml" media-type="${type}" ${more}/>`;
+  const items = [
+    item("nav", "application/xhtml+xml", 'properties="nav"'),
+    item("c2"),
+    item("c1", "text/html"),
+  ].join("");
+  const epub = tinyEpub({
+    chapters: ["<p>one</p>", "<p>two</p>"],
+    raw: {
+      "OEBPS/package.opf": `<package xmlns="http://www.idpf.org/2007/opf" version="3.0"><manifest>${items}</manifest>${spine}</package>`,
+    },
+  });
+  expect(await pagesOf(await laidOut(epub))).toEqual(["two", "one"]);
+});

@@ -9,9 +9,12 @@ const mostElements = 50_000;
 /** Characters of an attribute `prefix`, which foliate-js searches in quadratic time. */
 const longestPrefix = 4000;
 
+/** Types of documents that are chapters, however the manifest writes them. */
+const chapterTypes = /^(application\/xhtml\+xml|text\/html|text\/x-oeb1-document)$/;
+
 /**
- * Checks an XML document of an EPUB, and takes out of a package what cannot be
- * read. Throws a `BookError` if it has too many elements.
+ * Checks an XML document of an EPUB, takes out of a package what cannot be read
+ * and adds what it lacks. Throws a `BookError` if it has too many elements.
  *
  * @param name the book's name in sentences
  */
@@ -34,7 +37,29 @@ export function checkPackage(document: Document, name: string): Document {
     const needed = neededAttributes[element.localName] ?? [];
     if (needed.some((attribute) => !element.hasAttribute(attribute))) element.remove();
   }
+  complete(root);
   return document;
+}
+
+/**
+ * Adds the parts that a package lacks. One whose spine names no chapter is read in the order in which
+ * its manifest lists them.
+ */
+function complete(root: Element): void {
+  const [, manifest, spine] = ["metadata", "manifest", "spine"].map((name) => {
+    const part = [...root.children].find(({ localName }) => localName === name);
+    return part ?? root.appendChild(root.ownerDocument.createElementNS(root.namespaceURI, name));
+  }) as [Element, Element, Element];
+  const items = [...manifest.children];
+  const ids = new Set(items.map(({ id }) => id));
+  if ([...spine.children].some((line) => ids.has(line.getAttribute("idref") ?? ""))) return;
+  for (const item of items) {
+    const isNavigation = /\bnav\b/.test(item.getAttribute("properties") ?? "");
+    if (isNavigation || !chapterTypes.test(item.getAttribute("media-type") ?? "")) continue;
+    const line = root.ownerDocument.createElementNS(root.namespaceURI, "itemref");
+    line.setAttribute("idref", item.id);
+    spine.append(line);
+  }
 }
 
 /** Attributes without which an element says nothing. */

@@ -6,9 +6,13 @@ import { styleAttribute } from "./flow_book.ts";
 /** Even if an address were left in the markup, it would not be fetched. */
 const policy = "default-src 'none'; img-src data:; font-src data:; style-src 'unsafe-inline'";
 
+const svg = "http://www.w3.org/2000/svg";
+
 /** Where text is laid out: an empty `<div>`, in a document of its own if there may be one. */
 export interface LayoutFrame {
   readonly document: Document;
+  /** The element around it: the root of a document of its own, of which lengths in rem are. */
+  readonly drawing: SVGElement;
   readonly root: HTMLElement;
   /** What its style sheets are adopted by. */
   readonly styled: DocumentOrShadowRoot;
@@ -39,17 +43,49 @@ export async function openFrame(width: number, height: number): Promise<LayoutFr
     element.remove();
     return openShadow(width, height);
   }
-  // The book's own <html> is laid out as it is drawn: within another element.
-  const root = frame.createElement("div");
-  frame.documentElement.replaceWith(root);
+  const { drawing, root } = drawingIn(frame, width, height);
+  frame.documentElement.replaceWith(drawing);
   const adopt = (sheets: readonly string[]): void => {
     frame.adoptedStyleSheets = sheetsOf(sheets, frame.defaultView as Window & typeof globalThis);
   };
   return {
-    ...{ document: frame, root, styled: frame, adopt },
+    ...{ document: frame, drawing, root, styled: frame, adopt },
     fonts: () => [...frame.fonts],
     close: () => element.remove(),
   };
+}
+
+/**
+ * Returns a place for a section as it is drawn: its own <html> is laid out within an element of an SVG,
+ * where browsers set some lines otherwise, such as those with ruby.
+ */
+function drawingIn(document: Document, width: number, height: number) {
+  const drawing = document.createElementNS(svg, "svg");
+  const foreign = document.createElementNS(svg, "foreignObject");
+  const root = document.createElement("div");
+  for (const one of [drawing, foreign]) {
+    one.style.cssText = ownStyle(`display: block; width: ${width}px; height: ${height}px`);
+  }
+  root.style.cssText = ownStyle("display: block");
+  foreign.append(root);
+  drawing.append(foreign);
+  return { drawing, root };
+}
+
+/**
+ * Returns the style of an element around a section: rules of a book for all of its drawings or boxes do
+ * not apply to it.
+ *
+ * @param declarations what it has besides, none of which says `!important`
+ */
+export function ownStyle(declarations: string): string {
+  return `all: initial !important; ${declarations.replace(/;|$/g, " !important;")}`;
+}
+
+/** Returns the drawing in a section's element that an element is a part of; the element itself if there is none. */
+export function drawingOf(element: Element, html: Element): Element {
+  const drawing = element.closest("svg");
+  return drawing && html.contains(drawing) ? drawing : element;
 }
 
 /**
@@ -59,13 +95,14 @@ export async function openFrame(width: number, height: number): Promise<LayoutFr
 function openShadow(width: number, height: number): LayoutFrame {
   const host = document.createElement("div");
   hide(host, width, height);
-  // What is measured in it lies as in a frame.
-  for (const [name, value] of Object.entries({ left: "0", overflow: "hidden", "z-index": "-1" })) {
+  // What is measured in it lies as in a frame, and is visible but for its place.
+  const styles = { left: "0", overflow: "hidden", "z-index": "-1", opacity: "0" };
+  for (const [name, value] of Object.entries(styles)) {
     host.style.setProperty(name, value, "important");
   }
   const shadow = host.attachShadow({ mode: "open" });
-  const root = document.createElement("div");
-  shadow.append(root);
+  const { drawing, root } = drawingIn(document, width, height);
+  shadow.append(drawing);
   document.body.append(host);
   const before = new Set(document.fonts);
   let rules: CSSStyleSheet[] = [];
@@ -75,7 +112,7 @@ function openShadow(width: number, height: number): LayoutFrame {
     document.adoptedStyleSheets = [...others, ...rules];
   };
   return {
-    ...{ document, root, styled: shadow },
+    ...{ document, drawing, root, styled: shadow },
     adopt: (sheets) => {
       shadow.adoptedStyleSheets = sheetsOf(sheets, window);
       // Fonts are the document's alone.

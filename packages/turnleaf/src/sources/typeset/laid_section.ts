@@ -12,10 +12,12 @@ import {
 } from "./flow_book.ts";
 import {
   applyInlineStyles,
+  drawingOf,
   fontRule,
   type LayoutFrame,
   loadedIn,
   openFrame,
+  ownStyle,
   unmoved,
 } from "./frame.ts";
 import { Markup } from "./markup.ts";
@@ -243,7 +245,7 @@ export class LaidSection {
   alt(page: number): string {
     const said = [...this.#frame.root.querySelectorAll("img[alt], svg > title")]
       .filter((element) => {
-        const [rect] = (element.closest("svg") ?? element).getClientRects();
+        const [rect] = drawingOf(element, this.#html).getClientRects();
         return rect !== undefined && pageOfRect(this.#flow, rect) === page;
       })
       .map((element) => element.getAttribute("alt") ?? element.textContent);
@@ -288,7 +290,9 @@ async function layIn<T>(
   const html = frame.document.importNode(content.root, true) as HTMLElement;
   applyInlineStyles(html);
   const sheet = frame.document.createElement("div");
-  sheet.style.cssText = `position: absolute; left: 0; top: 0; width: ${size.width}px; height: ${size.height}px; font-size: ${rootSize}px`;
+  sheet.style.cssText = ownStyle(
+    `display: block; position: absolute; left: 0; top: 0; width: ${size.width}px; height: ${size.height}px; font-size: ${rootSize}px`,
+  );
   sheet.append(html);
   frame.root.append(sheet);
   const body = html.querySelector("body") ?? html;
@@ -313,7 +317,7 @@ async function layIn<T>(
   // What the book calls the root's size is that of its own <html>.
   const rem = view.getComputedStyle(html).fontSize;
   html.style.setProperty("font-size", rem, "important");
-  frame.root.style.fontSize = rem;
+  frame.drawing.style.setProperty("font-size", rem, "important");
   frame.adopt(own);
   await loadedIn(frame, html);
   if (!content.size) {

@@ -4,6 +4,7 @@ import { limits } from "../limits.ts";
 import { xmlOf } from "../markup/xml.ts";
 import type { PageSize } from "../page_source.ts";
 import { pixelsAttribute } from "./flow_book.ts";
+import { drawingOf, ownStyle } from "./frame.ts";
 import { styleElements } from "./style_elements.ts";
 import { type PageFlow, pageOfRect } from "./text_map.ts";
 
@@ -65,8 +66,14 @@ export class Markup {
     const html = this.#parts
       .map((part) => (typeof part === "string" ? part : shown.has(part) ? part.data : clear))
       .join("");
-    const box = `position: absolute; left: 0; top: 0; width: ${width}px; height: ${height}px`;
-    return `<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${height}" viewBox="0 0 ${width} ${height}" style="font-size: ${rem}">${this.#styles}<rect width="${width}" height="${height}" fill="${this.#paper}"/><foreignObject width="${width}" height="${height}"><div xmlns="${xhtml}" style="position: relative; overflow: hidden; width: ${width}px; height: ${height}px"><div style="${box}; font-size: 16px; transform: translate(${x}px, ${y}px)">${html}</div></div></foreignObject></svg>`;
+    const sized = `display: block; width: ${width}px; height: ${height}px`;
+    const [whole, paper, view, section] = [
+      `${sized}; font-size: ${rem}`,
+      `${sized}; fill: ${this.#paper}`,
+      `${sized}; position: relative; overflow: hidden`,
+      `${sized}; position: absolute; left: 0; top: 0; font-size: 16px; transform: translate(${x}px, ${y}px)`,
+    ].map(ownStyle);
+    return `<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${height}" viewBox="0 0 ${width} ${height}" style="${whole}">${this.#styles}<rect width="${width}" height="${height}" style="${paper}"/><foreignObject width="${width}" height="${height}" style="${ownStyle(sized)}"><div xmlns="${xhtml}" style="${view}"><div style="${section}">${html}</div></div></foreignObject></svg>`;
   }
 
   /** Returns the pictures that are seen on a page, as many in order as have pixels that can be drawn. */
@@ -107,7 +114,7 @@ function picturesOf(html: Element, flow: PageFlow, view: Window): Map<string, Pi
     sizes.set(data, pixels);
     const ranges = pages.get(data) ?? [];
     pages.set(data, ranges);
-    for (const rect of (image.closest("svg") ?? image).getClientRects()) {
+    for (const rect of drawingOf(image, html).getClientRects()) {
       const on = pageOfRect(flow, rect);
       // A long one may reach over several pages.
       const length = isDown ? rect.height : rect.width;

@@ -116,7 +116,7 @@ export class TextMap {
     return last < 0 ? null : { node, offset, first, last };
   }
 
-  /** Returns the first character of a piece that is on a page or after it. */
+  /** Returns the first character of a piece that is on a page or after it, blanks apart. */
   #firstOn(node: Text, page: number): number {
     let [low, high] = [0, node.length];
     while (low < high) {
@@ -125,12 +125,14 @@ export class TextMap {
       if (rect === null || pageOfRect(this.#flow, rect) >= page) high = middle;
       else low = middle + 1;
     }
-    return low;
+    return nextLetter(node.data, low);
   }
 
-  /** Returns the place of the first character from `at` on that has one. */
+  /** Returns the place of the first character from `at` on that has one, blanks apart. */
   #rectFrom(node: Text, at: number): DOMRect | null {
-    const k = this.#firstPlaced(node, at);
+    let k = at;
+    do k = this.#firstPlaced(node, nextLetter(node.data, k));
+    while (isBlank(node.data, k));
     return this.#rectOf(node, k, k + 1);
   }
 
@@ -179,7 +181,7 @@ export class TextMap {
         continue;
       }
       const on = pageOfRect(this.#flow, rect);
-      if (on > page) break;
+      if (on > page && !isBlank(text, k)) break;
       const letters = cleanRun(text.slice(k, next));
       if (on === page && letters !== "") {
         const box = this.#onPage(rect, page);
@@ -189,7 +191,7 @@ export class TextMap {
         }
         line.text += letters;
         for (let unit = 0; unit < letters.length; unit++) line.boxes.push(box);
-        line.box = union(line.box, box);
+        if (!isBlank(text, k)) line.box = union(line.box, box);
       }
       k = next;
     }
@@ -217,7 +219,7 @@ export class TextMap {
     const run = { text, ...box, angle: 0, end, ...(isVertical ? { vertical: true } : {}) };
     if (math !== undefined) return { ...run, math };
     if (!exact || isVertical || box.width === 0) return run;
-    const places = boxes.map(({ x }) => (x - box.x) / box.width);
+    const places = boxes.map(({ x }) => Math.min((x - box.x) / box.width, 1));
     // Places are those of letters that run to the right.
     const isRising = places.every((place, k) => k === 0 || place >= (places[k - 1] as number));
     return isRising ? { ...run, places } : run;
@@ -231,6 +233,21 @@ interface Line {
   readonly boxes: PageBox[];
   /** The formula that they are. */
   readonly math?: string;
+}
+
+/**
+ * Returns whether a character is a blank. Blanks at the end of a preformatted line hang over it, as far
+ * as into the page beside: where they are says nothing of where the text goes on, nor of how long it is.
+ */
+function isBlank(text: string, at: number): boolean {
+  return /\s/.test(text.charAt(at));
+}
+
+/** Returns the first character from `at` on that is no blank; the text's length if there is none. */
+function nextLetter(text: string, at: number): number {
+  const letter = /\S/g;
+  letter.lastIndex = at;
+  return letter.exec(text)?.index ?? text.length;
 }
 
 /** Returns whether a box stands on the line of another: more than half beside it. */
@@ -249,20 +266,22 @@ function union(a: PageBox, b: PageBox): PageBox {
   return { x, y, width: right - x, height: below - y };
 }
 
-/** Returns what is read, in order: text, and formulas whole; readings of ruby stand beside what they read. */
+/**
+ * Returns what is read and seen, in order: text, and formulas whole; readings of ruby stand beside what
+ * they read.
+ */
 function* textNodes(body: Element): Generator<Piece["node"]> {
+  const view = body.ownerDocument.defaultView as Window;
   const walker = body.ownerDocument.createTreeWalker(
     body,
     NodeFilter.SHOW_TEXT | NodeFilter.SHOW_ELEMENT,
     (node) => {
-      const { parentElement } = node;
-      if (parentElement?.closest("math")) return NodeFilter.FILTER_REJECT;
-      if (!isText(node)) {
-        return (node as Element).localName === "math"
-          ? NodeFilter.FILTER_ACCEPT
-          : NodeFilter.FILTER_SKIP;
-      }
-      return parentElement?.closest("rt, rp") ? NodeFilter.FILTER_REJECT : NodeFilter.FILTER_ACCEPT;
+      const parent = node.parentElement as Element;
+      if (parent.closest("math")) return NodeFilter.FILTER_REJECT;
+      if (!isText(node) && (node as Element).localName !== "math") return NodeFilter.FILTER_SKIP;
+      const isSeen = view.getComputedStyle(parent).visibility === "visible";
+      if (!isSeen || parent.closest("rt, rp")) return NodeFilter.FILTER_REJECT;
+      return NodeFilter.FILTER_ACCEPT;
     },
   );
   for (let node = walker.nextNode(); node !== null; node = walker.nextNode()) {

@@ -1,10 +1,10 @@
-/** A browser's page with the built package, the checks and the test books: nothing else is there. */
+/** A browser's page with the built package, scripts of tests and the books that they open: nothing else is there. */
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { chromium } from "playwright-core";
-import { chromiumArguments, findChromium } from "../../scripts/chromium.mjs";
+import { chromiumArguments, findChromium } from "../scripts/chromium.mjs";
 
-const root = join(import.meta.dirname, "../..");
+const root = join(import.meta.dirname, "..");
 
 // Secure, as fonts are decoded only there; every request is answered here.
 const site = "https://turnleaf.test/";
@@ -17,15 +17,15 @@ const html = `<!doctype html><title>Test books</title><link rel="icon" href="dat
 const folders = {
   turnleaf: "packages/turnleaf/dist",
   three: "node_modules/three/build",
-  report: "tests/epub_report",
+  tests: "tests",
 };
 
 /**
  * Opens the page.
  *
- * @param books returns a test's book by the test's name, without the files of a pattern
+ * @param respond returns the response to an address that begins with `/books/`, as Playwright's `fulfill` takes it
  */
-export async function openPage(books) {
+export async function openPage(respond) {
   const browser = await chromium.launch({
     executablePath: findChromium(),
     args: chromiumArguments,
@@ -40,13 +40,10 @@ export async function openPage(books) {
       foreign.push(url);
       return route.abort();
     }
-    const { pathname, searchParams } = new URL(url);
+    const { pathname } = new URL(url);
     const [folder = "", name = ""] = pathname.slice(1).split(/\/(.*)/);
     if (folder === "") return route.fulfill({ contentType: "text/html", body: html });
-    if (folder === "books") {
-      const left = new RegExp(searchParams.get("without") ?? "^$");
-      return route.fulfill({ body: Buffer.from(books(name, left)) });
-    }
+    if (folder === "books") return route.fulfill(respond(new URL(url)));
     if (!(folder in folders)) return route.fulfill({ status: 404 });
     const body = readFileSync(join(root, folders[folder], name));
     return route.fulfill({
@@ -55,5 +52,5 @@ export async function openPage(books) {
     });
   });
   await page.goto(site);
-  return { page, foreign, close: () => browser.close() };
+  return { browser, page, foreign, site, close: () => browser.close() };
 }

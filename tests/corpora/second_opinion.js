@@ -1,0 +1,200 @@
+/**
+ * Runs in the browser: what an EPUB says, read without the package. Its own
+ * documents are shown by plain Chromium, without scripts, in the order of its spine.
+ */
+
+/** Milliseconds after which a document counts as shown though not all of it has arrived. */
+const patience = 10_000;
+
+const opf = "http://www.idpf.org/2007/opf";
+const ncx = "http://www.daisy.org/z3986/2005/ncx/";
+const ops = "http://www.idpf.org/2007/ops";
+
+async function xmlAt(address) {
+  const response = await fetch(address);
+  if (!response.ok) throw new Error(`${address} is not there`);
+  const text = await response.text();
+  const parsed = new DOMParser().parseFromString(text, "application/xml");
+  if (parsed.querySelector("parsererror")) throw new Error(`${address} is not well-formed`);
+  return parsed;
+}
+
+/** Shows a document in a frame. */
+function shown(address) {
+  const frame = document.createElement("iframe");
+  frame.sandbox = "allow-same-origin";
+  frame.style.cssText = "position: absolute; left: 0; top: 0; width: 500px; height: 700px";
+  const loaded = new Promise((resolve) => {
+    frame.addEventListener("load", resolve);
+    setTimeout(resolve, patience);
+  });
+  frame.src = address;
+  document.body.append(frame);
+  return loaded.then(() => frame);
+}
+
+const isSeen = (element) => element.checkVisibility({ visibilityProperty: true });
+
+/** Returns whether a text has a place that can be scrolled to: not beyond where its document begins. */
+function isPlaced(node) {
+  const range = node.ownerDocument.createRange();
+  range.selectNodeContents(node);
+  const { documentElement, body } = node.ownerDocument;
+  const isFromRight = [documentElement, body ?? documentElement].some((root) => {
+    const { direction, writingMode } = getComputedStyle(root);
+    return direction === "rtl" || writingMode === "vertical-rl";
+  });
+  return [...range.getClientRects()].some(
+    ({ width, height, right, bottom }) =>
+      width > 0 && height > 0 && bottom > 0 && (isFromRight || right > 0),
+  );
+}
+
+/** The pieces of a document's text that are seen. */
+function* piecesOf(root) {
+  const walker = root.ownerDocument.createTreeWalker(root, NodeFilter.SHOW_TEXT);
+  for (let node = walker.nextNode(); node; node = walker.nextNode()) {
+    // Readings stand beside what they read, and are no text of their own.
+    if (node.parentElement.closest("rt, rp")) continue;
+    // Of a switch, what is for systems that know more than plain Chromium is not read.
+    if (node.parentElement.closest("case")?.namespaceURI === ops) continue;
+    if (/\S/.test(node.data) && isSeen(node.parentElement) && isPlaced(node)) yield node;
+  }
+}
+
+/** Returns whether anything besides text is seen in a document. */
+function hasPictures(root) {
+  const pictures =
+    "img, image, svg, video, object, embed, iframe, canvas, math, hr, audio[controls]";
+  if ([...root.querySelectorAll(pictures)].some(isSeen) || root.matches("svg")) return true;
+  return [root, ...root.querySelectorAll("*")].some((element) => {
+    const { backgroundImage, backgroundColor, borderTopWidth, content } = getComputedStyle(element);
+    return (
+      backgroundImage !== "none" ||
+      !/^rgba\(0, 0, 0, 0\)$|^rgb\(255, 255, 255\)$/.test(backgroundColor) ||
+      parseFloat(borderTopWidth) > 0 ||
+      content !== "normal"
+    );
+  });
+}
+
+/** Returns the letters that follow an element, at most `most`. */
+function lettersFrom(element, pieces, most) {
+  let letters = "";
+  for (const piece of pieces) {
+    const isAfter =
+      element.contains(piece) ||
+      element.compareDocumentPosition(piece) & Node.DOCUMENT_POSITION_FOLLOWING;
+    if (isAfter) letters += lettersOf(piece.data);
+    if (letters.length >= most) break;
+  }
+  return letters.slice(0, most);
+}
+
+/** Returns a text's letters: without blanks and what is never seen, in one form. */
+export function lettersOf(text) {
+  return text.normalize("NFKC").replace(/[\s\p{Cc}\p{Cf}\u{FFFD}]+/gu, "");
+}
+
+/** Reads the package of a book whose files lie at an address. */
+async function readPackage(base) {
+  const container = await xmlAt(new URL("META-INF/container.xml", base));
+  const path = container.querySelector("rootfile")?.getAttribute("full-path");
+  const address = new URL(path.split("/").map(encodeURIComponent).join("/"), base);
+  const xml = await xmlAt(address);
+  const items = new Map();
+  for (const item of xml.getElementsByTagNameNS(opf, "item")) {
+    items.set(item.getAttribute("id"), {
+      address: new URL(item.getAttribute("href"), address).href,
+      type: item.getAttribute("media-type"),
+      properties: item.getAttribute("properties") ?? "",
+      fallback: item.getAttribute("fallback"),
+    });
+  }
+  const isShown = ({ type }) => /xhtml|svg|html|dtbook|oeb1|^image/.test(type ?? "");
+  const spine = [...xml.getElementsByTagNameNS(opf, "itemref")].flatMap((reference) => {
+    let item = items.get(reference.getAttribute("idref"));
+    for (let k = 0; item && !isShown(item) && k < 10; k++) item = items.get(item.fallback);
+    return item ? [{ ...item, isLinear: reference.getAttribute("linear") !== "no" }] : [];
+  });
+  if (spine.length === 0) throw new Error("Its spine names no document");
+  const toc = xml.getElementsByTagNameNS(opf, "spine")[0]?.getAttribute("toc");
+  return { items: [...items.values()], spine, ncx: items.get(toc) };
+}
+
+/** Returns the lines of the book's contents: title and address. */
+async function contentsOf({ items, ncx: old }) {
+  const nav = items.find(({ properties }) => /\bnav\b/.test(properties));
+  if (nav) {
+    const xml = await xmlAt(nav.address);
+    const list = [...xml.querySelectorAll("nav")].find((one) =>
+      /\btoc\b/.test(one.getAttributeNS(ops, "type") ?? ""),
+    );
+    return [...(list?.querySelectorAll("li > a, li > span") ?? [])].map((line) => ({
+      title: line.textContent,
+      address: line.hasAttribute("href")
+        ? new URL(line.getAttribute("href"), nav.address).href
+        : "",
+    }));
+  }
+  if (!old) return [];
+  const xml = await xmlAt(old.address);
+  return [...xml.getElementsByTagNameNS(ncx, "navPoint")].map((point) => ({
+    title: point.getElementsByTagNameNS(ncx, "text")[0]?.textContent ?? "",
+    address: new URL(
+      point.getElementsByTagNameNS(ncx, "content")[0]?.getAttribute("src") ?? "",
+      old.address,
+    ).href,
+  }));
+}
+
+/**
+ * Reads a book whose files lie at an address. Resolves to the letters of its
+ * documents in the order in which they are read, which of these show nothing at
+ * all, what may be read in place of their sounds and films ("instead"), and the
+ * lines of its contents with the letters to which they lead.
+ * Rejects if its package or a document is not well-formed.
+ */
+export async function secondOpinion(base) {
+  const book = await readPackage(base);
+  const lines = await contentsOf(book);
+  const chapters = [];
+  for (const { address, isLinear, type } of book.spine) {
+    if (/^image\/(?!svg)/.test(type)) {
+      chapters.push({ letters: "", isLinear, isEmpty: false, instead: [] });
+      continue;
+    }
+    const response = await fetch(address);
+    if (!response.ok) throw new Error(`${address} is not there`);
+    await response.arrayBuffer();
+    const frame = await shown(address);
+    try {
+      const { contentDocument } = frame;
+      if (contentDocument.querySelector("parsererror")) {
+        throw new Error(`${address} is not well-formed`);
+      }
+      const root = contentDocument.body ?? contentDocument.documentElement;
+      if (!/1999\/xhtml$|2000\/svg$/.test(root.namespaceURI)) {
+        throw new Error(`${address} is not XHTML`);
+      }
+      const pieces = [...piecesOf(root)];
+      const letters = lettersOf(pieces.map(({ data }) => data).join(""));
+      const instead = [...root.querySelectorAll("audio, video, object, iframe, canvas")];
+      chapters.push({
+        letters,
+        isLinear,
+        isEmpty: letters === "" && !hasPictures(root),
+        instead: instead.map(({ textContent }) => lettersOf(textContent)),
+      });
+      for (const line of lines) {
+        const [document, id] = line.address.split("#");
+        if (document !== address) continue;
+        const target = id ? contentDocument.getElementById(decodeURIComponent(id)) : root;
+        line.letters = target ? lettersFrom(target, pieces, 24) : undefined;
+      }
+    } finally {
+      frame.remove();
+    }
+  }
+  return { chapters, lines };
+}
