@@ -105,6 +105,10 @@ export class PageList implements PageSource {
     return this.#entries.length;
   }
 
+  get isEstimated(): boolean {
+    return this.first.isEstimated ?? false;
+  }
+
   get openingPage(): number | undefined {
     return this.first.openingPage;
   }
@@ -139,7 +143,7 @@ export class PageList implements PageSource {
     };
   }
 
-  /** Finds anchors of the first source, before it is watched. */
+  /** Finds anchors of the first source. */
   get findAnchors(): PageSource["findAnchors"] {
     const first = this.first;
     if (!first.findAnchors) return undefined;
@@ -147,8 +151,16 @@ export class PageList implements PageSource {
       const found = (await first.findAnchors?.(anchors)) ?? [];
       // Its pages are counted anew.
       if (this.#listener === null) this.#set(entriesOf(first));
-      return found;
+      return found.map((index) => {
+        const page = index === null ? null : this.#pageOf(first, index + 1);
+        return page === null ? null : page - 1;
+      });
     };
+  }
+
+  keepSide(index: number, side: "first" | "second"): void {
+    const entry = this.#entries[index];
+    entry?.source.keepSide?.(entry.index, side);
   }
 
   /** Sets the first source's text anew, if it can be. */

@@ -4,19 +4,18 @@ import { SharedTasks } from "../shared_tasks.ts";
 import type { FlowBook } from "./flow_book.ts";
 import { LaidChapter } from "./laid_chapter.ts";
 import type { SectionMap } from "./laid_section.ts";
+import { estimatePages, type SectionLengths, sampleOf } from "./page_estimate.ts";
 import type { SectionContents } from "./section_contents.ts";
 
 /** Frames kept, so that neighbouring pages are drawn without laying out again. */
 const keptFrames = 4;
-
-/** Bytes a page, before any section has been laid out. */
-const usualBytes = 3000;
 
 /** A book set in one typography: its sections are laid out one by one, when they are needed. */
 export class Edition {
   readonly typography: Typography;
   readonly #book: FlowBook;
   readonly #contents: SectionContents;
+  readonly #lengths: SectionLengths;
   readonly #maps = new Map<number, SectionMap>();
   /** Sections in their frames, the last used one last. */
   #frames = new Map<number, LaidChapter>();
@@ -24,17 +23,23 @@ export class Edition {
   /** One section is laid out at a time. */
   #last: Promise<unknown> = Promise.resolve();
   #isClosed = false;
+  /** Whether every section has been laid out once, or cannot be. */
+  isCounted = false;
 
-  /** @param contents of the book's sections, for all its editions */
-  constructor(book: FlowBook, contents: SectionContents, typography: Typography) {
+  /**
+   * @param contents of the book's sections, for all its editions
+   * @param lengths of the sections, likewise
+   */
+  constructor(
+    book: FlowBook,
+    contents: SectionContents,
+    lengths: SectionLengths,
+    typography: Typography,
+  ) {
     this.#book = book;
     this.#contents = contents;
+    this.#lengths = lengths;
     this.typography = typography;
-  }
-
-  /** Whether every section has been laid out once. */
-  get isComplete(): boolean {
-    return this.#maps.size === this.#book.sections.length;
   }
 
   /** Returns what is known of a section; undefined before it has been laid out. */
@@ -44,18 +49,15 @@ export class Edition {
 
   /** Returns each section's number of pages, known or estimated. */
   counts(): number[] {
-    let [bytes, pages] = [0, 0];
     const { sections } = this.#book;
-    for (const [section, map] of this.#maps) {
-      if (sections[section]?.isFixed) continue;
-      bytes += sections[section]?.length ?? 0;
-      pages += map.pageCount;
-    }
-    const perPage = pages > 0 && bytes > 0 ? bytes / pages : usualBytes;
-    return sections.map(({ length, isFixed }, section) => {
-      const known = this.#maps.get(section)?.pageCount;
-      return known ?? (isFixed ? 1 : Math.max(1, Math.round(length / perPage)));
-    });
+    const known = sections.map((_, section) => this.#maps.get(section));
+    return estimatePages(sections, this.#lengths.lines(), known, this.typography);
+  }
+
+  /** Lays out a section from which the numbers of the others' pages can be estimated. */
+  async sample(): Promise<void> {
+    const section = sampleOf(this.#book.sections, this.#lengths.lines(), this.typography);
+    if (section !== undefined) await this.measure(section);
   }
 
   /** Returns a section in its frame. Rejects with a `BookError`, or with the signal's reason. */

@@ -206,5 +206,8 @@ function joined(pieces: readonly Piece[]): SectionMap {
     length += map.length;
   }
   const tops = new Map<string, number>();
-  return { pageCount: starts.length, starts, length, ids, tops, size: (one as Piece).map.size };
+  const last = pieces.at(-1) as Piece;
+  const extent = last.first + last.map.extent;
+  const { size } = (one as Piece).map;
+  return { pageCount: starts.length, extent, starts, length, ids, tops, size };
 }
