@@ -25,6 +25,8 @@ export const style: string = /* css */ `
 .ui .entry { box-sizing: border-box; height: 32px; min-width: 44px; max-width: 9ch; width: 6ch; field-sizing: content; padding: 0 8px; border: 1px solid var(--turnleaf-line); border-radius: 7px; background: var(--turnleaf-field); color: var(--turnleaf-ink); text-align: center; }
 .ui .entry[aria-invalid="true"] { border-color: var(--turnleaf-accent); color: var(--turnleaf-accent); }
 
+.ui .return { position: absolute; bottom: 60px; inset-inline: 0; width: max-content; margin-inline: auto; min-height: 36px; padding-inline: 14px; border-radius: 18px; background: var(--turnleaf-surface); color: var(--turnleaf-accent); box-shadow: 0 1px 6px rgb(0 0 0 / 0.25); }
+
 .track { position: relative; flex: 1; height: 44px; margin-inline: 6px; }
 .track input { appearance: none; width: 100%; height: 100%; margin: 0; background: none; cursor: pointer; touch-action: none; border-radius: 8px; }
 .track { --past: linear-gradient(to right, var(--turnleaf-accent) calc(9px + var(--fraction, 0) * (100% - 18px)), var(--turnleaf-track) 0); }
@@ -45,7 +47,7 @@ export const style: string = /* css */ `
 .tabs button { flex: 1; height: 44px; display: grid; place-items: center; border-radius: 10px; color: var(--turnleaf-muted); }
 .body { flex: 1; min-height: 0; position: relative; }
 .view { position: absolute; inset: 0; overflow: auto; overscroll-behavior: contain; padding: 6px; box-sizing: border-box; scrollbar-width: thin; scrollbar-color: var(--turnleaf-track) transparent; }
-.note { margin: 0; padding: 8px 10px; color: var(--turnleaf-muted); }
+.remark { margin: 0; padding: 8px 10px; color: var(--turnleaf-muted); }
 .contents, .rows { list-style: none; margin: 0; padding: 0; }
 .details { list-style: none; margin: 8px 0 0; padding: 8px 10px; border-top: 1px solid var(--turnleaf-line); overflow-wrap: anywhere; }
 .details li { margin-block: 4px; }
@@ -98,7 +100,7 @@ export const style: string = /* css */ `
 .dialog h2 { margin: 0 0 12px; font: 1.2em var(--turnleaf-serif); }
 .dialog label { display: flex; align-items: center; justify-content: space-between; gap: 16px; min-height: 44px; }
 .dialog .entry { width: 12ch; max-width: none; }
-.dialog .note { padding-inline: 0; max-width: 30ch; }
+.dialog .remark { padding-inline: 0; max-width: 30ch; }
 .dialog progress { width: 100%; }
 .choices { display: flex; justify-content: flex-end; gap: 8px; margin-top: 12px; }
 .ui .plain { min-height: 44px; padding-inline: 16px; border: 1px solid var(--turnleaf-line); border-radius: 10px; }

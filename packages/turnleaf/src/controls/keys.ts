@@ -54,8 +54,8 @@ function handle(event: KeyboardEvent, book: ControlledBook, commands: KeyCommand
     "/": () => commands.search(),
   };
   const onBook: Record<string, () => unknown> = {
-    Home: () => book.turnTo(1),
-    End: () => book.turnTo(Number.POSITIVE_INFINITY),
+    Home: () => book.turnTo(1, { jump: true }),
+    End: () => book.turnTo(Number.POSITIVE_INFINITY, { jump: true }),
     " ": () => book.press(event.shiftKey ? -1 : 1),
   };
   // In its shadow tree, the frame around everything takes the focus for the book.

@@ -3,6 +3,7 @@
  * read, closed.
  */
 
+import { leftPage, rightPage } from "../book/spreads.ts";
 import type { ElementPlane } from "../element_plane.ts";
 import { Input } from "../input/input.ts";
 import type { Gesture } from "../input/target.ts";
@@ -500,6 +501,26 @@ export class OpenBook {
     return isMade;
   }
 
+  /**
+   * Makes a change of the pages that their source asks for, as `changePages` does: the open pages
+   * keep their sides, however many are counted before them.
+   */
+  followSource(change: () => NewIndex): Promise<boolean> {
+    return this.changePages(() => {
+      this.#keepSide();
+      return change();
+    });
+  }
+
+  #keepSide(): void {
+    const { binding, turning } = this.viewer;
+    if (binding.layout !== "spread") return;
+    const sides = [leftPage(binding, turning.spread), rightPage(binding, turning.spread)];
+    const [first = null, second = null] = binding.reversed ? sides.reverse() : sides;
+    if (first !== null) this.source.keepSide(first - 1, "first");
+    else if (second !== null) this.source.keepSide(second - 1, "second");
+  }
+
   /** Gives the leaves the size of their pages, which had to be guessed until now. */
   async measure(): Promise<void> {
     const { signal } = this.#ended;
@@ -575,10 +596,14 @@ export class ReadableBook {
   }
 
   /** As the element's own. */
-  async search(query: string, signal?: AbortSignal): Promise<readonly SearchHit[]> {
+  async search(
+    query: string,
+    signal?: AbortSignal,
+    found?: (hits: readonly SearchHit[]) => void,
+  ): Promise<readonly SearchHit[]> {
     const ended = this.#ended.signal;
     const either = signal ? AbortSignal.any([signal, ended]) : ended;
-    return (await this.#text).search(query, either);
+    return (await this.#text).search(query, either, found);
   }
 
   /**

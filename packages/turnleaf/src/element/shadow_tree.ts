@@ -4,7 +4,7 @@ import { pagesAt } from "../book/spreads.ts";
 import { ElementPlane } from "../element_plane.ts";
 import type { PageSource } from "../sources/page_source.ts";
 import type { Viewer } from "../viewer/viewer.ts";
-import { elementTexts, fill, list, number } from "../words/languages.ts";
+import { countOf, elementTexts, fill, list } from "../words/languages.ts";
 import { keepFocus } from "./focus_keeper.ts";
 
 /**
@@ -98,7 +98,10 @@ export function openPages(source: PageSource, viewer: Viewer, tag: string): stri
   const seen = pagesAt(viewer.binding, spread).map((page) => source.label(page - 1));
   const { back, pageOpen, pagesOpen } = elementTexts(tag);
   const text = [back, pageOpen][seen.length] ?? pagesOpen;
-  return fill(text, { pages: list(tag, seen), n: number(tag, source.pageCount) });
+  return fill(text, {
+    pages: list(tag, seen),
+    n: countOf(tag, { pageCount: source.pageCount, estimated: source.isEstimated ?? false }),
+  });
 }
 
 /**

@@ -204,6 +204,16 @@ export interface Narration {
   mark(number: number | null): void;
 }
 
+/** A page of a book whose text is gone through, whatever number it has meanwhile. */
+export interface TextPage {
+  /** What identifies its text: the same for the same text. */
+  readonly key: unknown;
+  /** Returns where its text lies now (from 0); null if the book has it no longer. */
+  index(): number | null;
+  /** Returns its text. Rejects as `draw` does. */
+  text(signal: AbortSignal): Promise<readonly TextRun[]>;
+}
+
 /** A book's pages, drawn one by one on request. */
 export interface PageSource {
   /** The book's title, or the file's name if it has none. */
@@ -272,6 +282,11 @@ export interface PageSource {
    * @param exact whether the letters' places are wanted, which may take longer
    */
   text?(index: number, signal: AbortSignal, exact?: boolean): Promise<readonly TextRun[]>;
+  /**
+   * Goes through the text of the whole book in reading order, each page once, however pages are
+   * counted anew meanwhile. The default is page after page. Rejects as `draw` does.
+   */
+  textPages?(signal: AbortSignal): AsyncIterable<TextPage>;
   /**
    * Returns a description of the pictures on page `index` (from 0), may be
    * empty. Rejects as `draw` does.

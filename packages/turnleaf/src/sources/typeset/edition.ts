@@ -10,6 +10,9 @@ import type { SectionContents } from "./section_contents.ts";
 /** Frames kept, so that neighbouring pages are drawn without laying out again. */
 const keptFrames = 4;
 
+/** Editions so far, of all books. */
+let made = 0;
+
 /** A book set in one typography: its sections are laid out one by one, when they are needed. */
 export class Edition {
   readonly typography: Typography;
@@ -23,6 +26,7 @@ export class Edition {
   /** One section is laid out at a time. */
   #last: Promise<unknown> = Promise.resolve();
   #isClosed = false;
+  readonly #number = made++;
   /** Whether every section has been laid out once, or cannot be. */
   isCounted = false;
 
@@ -45,6 +49,11 @@ export class Edition {
   /** Returns what is known of a section; undefined before it has been laid out. */
   mapOf(section: number): SectionMap | undefined {
     return this.#maps.get(section);
+  }
+
+  /** Returns what identifies a page of a section, as it is set here, among all pages. */
+  keyOf(section: number, page: number): string {
+    return `${this.#number}:${section}:${page}`;
   }
 
   /** Returns each section's number of pages, known or estimated. */

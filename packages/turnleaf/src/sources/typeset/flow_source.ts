@@ -11,6 +11,7 @@ import {
   type PagePicture,
   type PageSize,
   type PageSource,
+  type TextPage,
   type TextRun,
   type Typography,
 } from "../page_source.ts";
@@ -227,6 +228,45 @@ export class FlowSource implements PageSource {
   async text(index: number, signal: AbortSignal, exact = false): Promise<readonly TextRun[]> {
     const { laid, page } = await this.#layPage(index, signal);
     return laid.runs(page, exact);
+  }
+
+  async *textPages(signal: AbortSignal): AsyncGenerator<TextPage> {
+    for (const section of this.#book.sections.keys()) {
+      let place: TextPlace = { section, fraction: 0 };
+      // Set anew meanwhile, the section goes on where it was.
+      for (let edition: Edition | null = null; edition !== this.#edition; ) {
+        edition = this.#edition;
+        // One that cannot be laid out has no text.
+        await orAborted(
+          edition.measure(section).catch(() => {}),
+          signal,
+        );
+        if (this.#isClosed) throw this.#closed();
+        const map = edition.mapOf(section);
+        if (map === undefined) continue;
+        for (let page = pageOfPlace(place, map); page < map.pageCount; page++) {
+          if (edition !== this.#edition) break;
+          place = placeOfPage(section, page, map);
+          yield this.#textPage(edition, place, page);
+        }
+      }
+    }
+  }
+
+  /** Returns a page of a section as an edition has it. */
+  #textPage(edition: Edition, place: TextPlace, page: number): TextPage {
+    const { section } = place;
+    return {
+      key: edition.keyOf(section, page),
+      index: () => this.#indexOfPlace(place),
+      text: async (signal) => {
+        const laid = await this.#lay(section, signal);
+        return await laid.runs(
+          edition === this.#edition ? page : pageOfPlace(place, laid.map),
+          false,
+        );
+      },
+    };
   }
 
   async alt(index: number, signal: AbortSignal): Promise<string> {

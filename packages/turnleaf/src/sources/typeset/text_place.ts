@@ -43,17 +43,21 @@ function pageAt(starts: readonly number[], offset: number): number {
   );
 }
 
-/** Returns the anchor of a place: "3:1204" for a character of a section, "3:1204-1" for the page before it. */
+/**
+ * Returns the anchor of a place: "3:1204" for a character of a section, "3:1204-1" for the page without
+ * text before it, "3:~0.250000" for a fraction of the section. All its characters may stand in an address.
+ */
 export function anchorOf({ section, offset, before = 0, fraction = 0 }: TextPlace): string {
-  if (offset === undefined) return `${section}:${(100 * fraction).toFixed(2)}%`;
+  // Not less than it is: it would be the page before.
+  if (offset === undefined) return `${section}:~${(Math.ceil(1e6 * fraction) / 1e6).toFixed(6)}`;
   return `${section}:${offset}${before > 0 ? `-${before}` : ""}`;
 }
 
 /** Returns the place of an anchor; null if it is none. */
 export function placeOfAnchor(anchor: string): TextPlace | null {
-  const found = /^(\d{1,5}):(?:(\d{1,9})(?:-(\d{1,5}))?|(\d{1,3}\.\d{2})%)$/.exec(anchor);
+  const found = /^(\d{1,5}):(?:(\d{1,9})(?:-(\d{1,5}))?|~([01]\.\d{6}))$/.exec(anchor);
   if (found === null) return null;
-  const [, section, offset, before = "0", percent] = found;
-  if (offset === undefined) return { section: Number(section), fraction: Number(percent) / 100 };
+  const [, section, offset, before = "0", fraction] = found;
+  if (offset === undefined) return { section: Number(section), fraction: Number(fraction) };
   return { section: Number(section), offset: Number(offset), before: Number(before) };
 }

@@ -1,0 +1,174 @@
+import { afterEach, describe, expect, test } from "vitest";
+import type { TurnleafBook } from "../element.ts";
+import { clock } from "../for_tests/clock.ts";
+import { book, happens, settled } from "../for_tests/element_books.ts";
+import { eventually } from "../for_tests/eventually.ts";
+import { countOn, holdCounting } from "../for_tests/held_counting.ts";
+import { Random } from "../for_tests/random_numbers.ts";
+import { spansOf } from "../for_tests/text_books.ts";
+import { prose, tinyEpub } from "../sources/epub/tiny_epub.ts";
+
+/** A book of nine chapters of unequal length and kind, whose estimates are wrong. */
+const chapters = Array.from({ length: 9 }, (_, k) =>
+  prose(4 + ((5 * k) % 9))
+    .replaceAll("word", `w${k}c`)
+    .replaceAll('<p id="', k % 2 === 0 ? '<p style="font-size: 1.3em" id="' : '<p id="'),
+);
+const epub = () => new File([tinyEpub({ chapters })], "places.epub");
+
+const shown: TurnleafBook[] = [];
+
+async function open(attributes: Record<string, string> = {}): Promise<TurnleafBook> {
+  const element = book(null, { duration: "0", cover: "none", ...attributes });
+  element.style.cssText = "position: fixed; left: 0; top: 0; width: 700px; height: 480px";
+  shown.push(element);
+  const loaded = happens(element, "load");
+  element.pages = epub();
+  await loaded;
+  return element;
+}
+
+const counted = (element: TurnleafBook): Promise<void> => clock.until(() => !element.estimated);
+
+/** Returns the first word of the first open page. */
+async function headOf(element: TurnleafBook): Promise<string> {
+  await settled(element);
+  let head = "";
+  await eventually(() => {
+    head = spansOf(element)[0]?.textContent?.trim().split(" ")[0] ?? "";
+    return head;
+  }).not.toBe("");
+  return head;
+}
+
+afterEach(() => {
+  for (const element of shown.splice(0)) element.remove();
+  localStorage.clear();
+  history.replaceState(null, "", location.pathname + location.search);
+});
+
+describe("the place of a reader in flowing text", () => {
+  test("is that of the same word however often the page is loaded again, while pages are counted too", async () => {
+    const random = new Random(7);
+    for (let round = 0; round < 8; round++) {
+      const first = await open({ remember: "", address: "" });
+      if (round % 2 === 0) await counted(first);
+      await first.goTo(2 + random.below(first.pageCount - 2));
+      const head = await headOf(first);
+      first.remove();
+      const { hash } = location;
+      expect(hash).toMatch(/^#page=\d+&at=\d+:~?[\d.]+/);
+      for (const address of [hash, "", hash.replace(/&at=.*/, "")]) {
+        history.replaceState(null, "", location.pathname + location.search + address);
+        if (round % 4 > 1) holdCounting();
+        const again = await open({ remember: "", address: "" });
+        expect(await headOf(again), `round ${round}, at "${address}"`).toBe(head);
+        countOn();
+        await counted(again);
+        expect(await headOf(again), `round ${round}, counted, at "${address}"`).toBe(head);
+        again.remove();
+      }
+    }
+  }, 50_000);
+
+  test("keeps its side and its words while what is before it is counted; its address is renewed", async () => {
+    holdCounting();
+    const element = await open({ address: "" });
+    for (const page of [20, 31]) {
+      await element.goTo(page);
+      const head = await headOf(element);
+      const isLeft = (): boolean => element.spread.left === element.page;
+      const was = isLeft();
+      for (let chapter = 0; chapter < 3; chapter++) {
+        countOn(1);
+        await clock.pass(100);
+        expect(await headOf(element)).toBe(head);
+        expect(isLeft()).toBe(was);
+      }
+    }
+    const head = await headOf(element);
+    countOn();
+    await counted(element);
+    expect(await headOf(element)).toBe(head);
+    expect(location.hash).toMatch(new RegExp(`^#page=${element.page}&at=`));
+  });
+
+  test("is as far through the book as the number that was typed, while that is an estimate", async () => {
+    holdCounting();
+    const element = await open();
+    const asked = Math.round(0.6 * element.pageCount);
+    await element.goTo(asked);
+    const chapterOf = async (): Promise<number> =>
+      Number(/w(\d)c/.exec(await headOf(element))?.[1]);
+    const chapter = await chapterOf();
+    expect(Math.abs(chapter - 0.6 * 9)).toBeLessThan(2);
+    const head = await headOf(element);
+    countOn();
+    await counted(element);
+    expect(await headOf(element)).toBe(head);
+  });
+});
+
+test("a jump is a step in the history, and leads back until one reads on", async () => {
+  const element = await open({ address: "", controls: "" });
+  await counted(element);
+  const back = () => element.shadowRoot?.querySelector<HTMLButtonElement>(".return");
+  await eventually(back).toBeTruthy();
+  await element.goTo(5);
+  const { page } = element;
+  const head = await headOf(element);
+  const steps = history.length;
+  await element.showHit((await element.search("w7c2x3"))[0] ?? null);
+  expect(element.page).toBeGreaterThan(page + 4);
+  expect(history.length).toBe(steps + 1);
+  expect([back()?.hidden, back()?.textContent]).toEqual([false, `Back to page ${page}`]);
+  history.back();
+  await eventually(() => element.page).toBe(page);
+  expect(await headOf(element)).toBe(head);
+  expect(back()?.hidden).toBe(true);
+  history.forward();
+  await eventually(() => element.page).toBeGreaterThan(page + 4);
+  const [hit] = await element.search("w1c0x0");
+  await element.showHit(hit ?? null);
+  expect(back()?.hidden).toBe(false);
+  back()?.click();
+  await eventually(() => element.page).toBeGreaterThan(page + 4);
+  expect(back()?.hidden).toBe(true);
+  await element.showHit(hit ?? null);
+  await element.next();
+  expect(back()?.hidden).toBe(true);
+});
+
+test("a search finds the same while pages are counted, wherever they are, and its places stay", async () => {
+  const queries = ["w3c1x5", "x59", "w8c3x1 w8c3x2"];
+  const placesIn = async (element: TurnleafBook, query: string): Promise<string[]> =>
+    (await element.search(query)).map(({ before, text, after }) => before + text + after);
+  const first = await open();
+  await counted(first);
+  const expected = [];
+  for (const query of queries) expected.push(await placesIn(first, query));
+  expect(expected.map(({ length }) => length)).toEqual([11, 72, 1]);
+  first.remove();
+  for (const laid of [0, 1, 4, 8]) {
+    holdCounting();
+    const element = await open({ controls: "" });
+    countOn(laid);
+    await clock.pass(200);
+    const searches = queries.map((query) => placesIn(element, query));
+    const streamed: number[] = [];
+    const hits = element.search("x59", {
+      onHits: (found) => streamed.push(...found.map(({ page }) => page)),
+    });
+    countOn();
+    await counted(element);
+    expect(await Promise.all(searches), `after ${laid} chapters`).toEqual(expected);
+    expect(streamed.length).toBe(72);
+    // They say where their text is now.
+    for (const hit of [(await hits)[0], (await hits).at(-1)]) {
+      await element.showHit(hit ?? null);
+      const { left, right } = element.spread;
+      expect([left, right]).toContain(hit?.page);
+    }
+    element.remove();
+  }
+}, 50_000);
