@@ -76,7 +76,7 @@ export class TurnleafBook extends ReaderElement {
       this.#forget();
     },
     options: (source) => this.#options(source),
-    turn: (by) => void this.press(by),
+    turn: (by) => this.press(by),
     announceZoom: () => this.announceZoom(),
     calm: () => this.#calm,
     goTo: (page, top) => void this.turnTo(page, { top, jump: true }),

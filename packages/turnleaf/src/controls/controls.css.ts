@@ -2,6 +2,9 @@
 export const style: string = /* css */ `
 .frame { --wide: 304px; }
 .ui { color: var(--turnleaf-ink); font: max(14px, 0.875rem)/1.4 var(--turnleaf-font); accent-color: var(--turnleaf-accent); }
+/* What is selected is the book's text, and not the title with it. */
+.ui { user-select: none; -webkit-user-select: none; }
+.ui input { user-select: text; -webkit-user-select: text; }
 .ui[hidden], .ui [hidden] { display: none !important; }
 .unseen { position: absolute; width: 1px; height: 1px; overflow: hidden; clip-path: inset(50%); }
 .ui button, .ui input { font: inherit; color: inherit; }
@@ -116,10 +119,10 @@ export const style: string = /* css */ `
   .ui :is(.entry, .query) { font-size: 16px; }
   .place { padding-inline: 2px 4px; }
 }
-.frame.full > [part="stage"] { inset-block: 0; }
-.full > :is(.bar, .pages) { transition: translate 0.25s, visibility 0.25s; }
-.full:not(.awake, .open) > .bar:not(:focus-within) { translate: 0 -100%; visibility: hidden; }
-.full:not(.awake, .open) > .pages:not(:focus-within) { translate: 0 100%; visibility: hidden; }
+.frame:is(.full, .bare) > [part="stage"] { inset-block: 0; }
+.frame > :is(.bar, .pages) { transition: translate 0.25s, visibility 0.25s; }
+:is(.full:not(.awake, .open), .bare:not(.open)) > .bar:not(:focus-within) { translate: 0 -100%; visibility: hidden; }
+:is(.full:not(.awake, .open), .bare:not(.open)) > .pages:not(:focus-within) { translate: 0 100%; visibility: hidden; }
 @media (prefers-reduced-motion: reduce) { .ui, .ui * { transition: none !important; } }
 @media print { .ui { display: none !important; } }
 @media (forced-colors: active) {

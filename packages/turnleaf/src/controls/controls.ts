@@ -5,6 +5,7 @@ import { typographyAttributes } from "../element/typography.ts";
 import { languageOf, loadLanguage } from "../words/languages.ts";
 import { actionsOf, type Tab, zoomBy } from "./actions.ts";
 import { Bar } from "./bar.ts";
+import { watchTaps } from "./bare_page.ts";
 import type { ControlledBook, FoundPlace } from "./book.ts";
 import { BookmarksTab } from "./bookmarks_tab.ts";
 import { ContentsTab } from "./contents_tab.ts";
@@ -151,6 +152,7 @@ function build<Hit extends FoundPlace>(
   const observer = new MutationObserver(refresh);
   observer.observe(book, { attributeFilter: watched });
   watchFullScreen(book, frame, refresh, signal);
+  watchTaps(frame, stage, isNarrow, signal);
   listenToKeys(
     book,
     {

@@ -56,7 +56,8 @@ function handle(event: KeyboardEvent, book: ControlledBook, commands: KeyCommand
   const onBook: Record<string, () => unknown> = {
     Home: () => book.turnTo(1, { jump: true }),
     End: () => book.turnTo(Number.POSITIVE_INFINITY, { jump: true }),
-    " ": () => book.press(event.shiftKey ? -1 : 1),
+    // While it is zoomed, the key is the book's own.
+    ...(book.zoom <= 1 && { " ": () => book.press(event.shiftKey ? -1 : 1) }),
   };
   // In its shadow tree, the frame around everything takes the focus for the book.
   const isBook = target === book || (target as Node).parentNode === book.shadowRoot;

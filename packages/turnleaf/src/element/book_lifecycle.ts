@@ -24,6 +24,7 @@ import { elementTexts, fill, languageOf } from "../words/languages.ts";
 import { allowsGesture, swipeDistanceOf } from "./attributes.ts";
 import type { BookTextOverlay, TextTarget } from "./book_text_overlay.ts";
 import type { LivePages } from "./live_pages.ts";
+import { pageTap } from "./page_tap.ts";
 import type { RollView } from "./roll_view.ts";
 
 /** The callbacks between an element and the life of its book. */
@@ -42,8 +43,8 @@ export interface LifecycleHooks {
   readonly plane: ElementPlane;
   /** How a book is shown. */
   options(source: PageList): ViewerOptions;
-  /** Turns one leaf forward (1) or back (-1), with motion or without, as the reader prefers. */
-  readonly turn: (by: 1 | -1) => void;
+  /** Turns one leaf forward (1) or back (-1), as `InputTarget` has it. */
+  readonly turn: (by: 1 | -1) => Promise<boolean>;
   /** Announces to screen readers the zoom level to which a key leads. */
   readonly announceZoom: () => void;
   /** Turns the open book to a page (from 1), and to a place so far down it, as `top` of `LinkTarget`. */
@@ -473,6 +474,8 @@ export class OpenBook {
     const swipeDistance = (): number => swipeDistanceOf(element);
     this.#input = new Input(canvas, stage, element, {
       ...{ viewer, plane, turn, announceZoom, calm, allows, swipeDistance },
+      columnAt: (page, at) => this.reading.columnAt(page, at),
+      tapped: () => stage.dispatchEvent(new Event(pageTap)),
     });
     const language = (): string => languageOf(element);
     this.reading = new ReadableBook({ source, viewer, canvas, roll, goTo, language }, missingPart);
@@ -583,6 +586,8 @@ export class ReadableBook {
   readonly #ended = new AbortController();
   /** Rejects with a `BookError` if it cannot be loaded. */
   readonly #text: Promise<BookTextOverlay>;
+  /** It, once it is loaded. */
+  #overlay: BookTextOverlay | null = null;
 
   /** @param failed called once if there will be no text */
   constructor(under: TextTarget, failed: (error: unknown) => void) {
@@ -590,7 +595,8 @@ export class ReadableBook {
     const { signal } = this.#ended;
     this.#text = loadPart(import("./book_text_overlay.ts")).then(({ BookTextOverlay }) => {
       signal.throwIfAborted();
-      return new BookTextOverlay(under, signal);
+      this.#overlay = new BookTextOverlay(under, signal);
+      return this.#overlay;
     });
     this.#text.catch((error: unknown) => signal.aborted || failed(error));
   }
@@ -612,6 +618,13 @@ export class ReadableBook {
    */
   mark(hit: SearchHit | null): void {
     this.#withText((text) => text.mark(hit));
+  }
+
+  /** As `BookTextOverlay` has it; null while that is not loaded. */
+  columnAt(
+    ...place: Parameters<BookTextOverlay["columnAt"]>
+  ): ReturnType<BookTextOverlay["columnAt"]> {
+    return this.#overlay?.columnAt(...place) ?? null;
   }
 
   /** Reads the pages again after a change of the book. */

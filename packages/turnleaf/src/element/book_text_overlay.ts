@@ -100,6 +100,11 @@ export class BookTextOverlay {
     for (const layer of this.#layers) layer.mark(hit);
   }
 
+  /** Returns the column of text at a place of an open page, as `TextLayer` does. */
+  columnAt(...place: Parameters<TextLayer["columnAt"]>): ReturnType<TextLayer["columnAt"]> {
+    return this.#layers[0]?.columnAt(...place) ?? null;
+  }
+
   /** Reads the pages again after a change of the book. */
   changed(): void {
     for (const layer of this.#layers) layer.reload();

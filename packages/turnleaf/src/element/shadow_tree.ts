@@ -153,7 +153,10 @@ ${dark(':host([theme="dark"])')}
 @media (prefers-color-scheme: dark) { ${dark(':host(:not([theme="light"], [theme="paper"]))')} }
 :host(:is([controls], [theme])) { background: var(--turnleaf-desk); }
 .frame:focus { outline: none; }
-.frame:focus-visible { outline: 2px solid var(--turnleaf-accent); outline-offset: -2px; }
+.frame:focus-visible { outline: none; }
+.frame:focus-visible > [part="stage"]::after {
+  content: ""; position: absolute; inset: 4px; border: 2px solid var(--turnleaf-accent); border-radius: 8px; pointer-events: none;
+}
 :host([hidden]) { display: none; }
 .frame { position: absolute; inset: 0; container: turnleaf / inline-size; }
 .room {
@@ -189,5 +192,5 @@ ${dark(':host([theme="dark"])')}
     scale: min(tan(atan2(100cqw, var(--screen-width, 100cqw))), tan(atan2(100cqh, var(--screen-height, 100cqh))));
   }
 }
-.live { position: absolute; width: 1px; height: 1px; overflow: hidden; clip-path: inset(50%); }
+.live { user-select: none; -webkit-user-select: none; position: absolute; width: 1px; height: 1px; overflow: hidden; clip-path: inset(50%); }
 `;

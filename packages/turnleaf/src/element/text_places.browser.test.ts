@@ -1,16 +1,18 @@
 import { afterEach, describe, expect, test } from "vitest";
 import type { TurnleafBook } from "../element.ts";
 import { clock } from "../for_tests/clock.ts";
-import { book, happens, settled } from "../for_tests/element_books.ts";
+import { book, happens, scans, settled } from "../for_tests/element_books.ts";
 import { eventually } from "../for_tests/eventually.ts";
 import { countOn, holdCounting } from "../for_tests/held_counting.ts";
-import { Random } from "../for_tests/random_numbers.ts";
+import { fuzz, Random } from "../for_tests/random_numbers.ts";
 import { spansOf } from "../for_tests/text_books.ts";
 import { prose, tinyEpub } from "../sources/epub/tiny_epub.ts";
+import { tinyFb2 } from "../sources/fb2/tiny_fb2.ts";
+import { tinyPdf } from "../sources/tiny_pdf.ts";
 
-/** A book of nine chapters of unequal length and kind, whose estimates are wrong. */
-const chapters = Array.from({ length: 9 }, (_, k) =>
-  prose(4 + ((5 * k) % 9))
+/** A book of six chapters of unequal length and kind, whose estimates are wrong. */
+const chapters = Array.from({ length: 6 }, (_, k) =>
+  prose(3 + ((5 * k) % 7))
     .replaceAll("word", `w${k}c`)
     .replaceAll('<p id="', k % 2 === 0 ? '<p style="font-size: 1.3em" id="' : '<p id="'),
 );
@@ -18,12 +20,15 @@ const epub = () => new File([tinyEpub({ chapters })], "places.epub");
 
 const shown: TurnleafBook[] = [];
 
-async function open(attributes: Record<string, string> = {}): Promise<TurnleafBook> {
+async function open(
+  attributes: Record<string, string> = {},
+  pages: TurnleafBook["pages"] = epub(),
+): Promise<TurnleafBook> {
   const element = book(null, { duration: "0", cover: "none", ...attributes });
   element.style.cssText = "position: fixed; left: 0; top: 0; width: 700px; height: 480px";
   shown.push(element);
   const loaded = happens(element, "load");
-  element.pages = epub();
+  element.pages = pages;
   await loaded;
   return element;
 }
@@ -48,38 +53,57 @@ afterEach(() => {
 });
 
 describe("the place of a reader in flowing text", () => {
-  test("is that of the same word however often the page is loaded again, while pages are counted too", async () => {
-    const random = new Random(7);
-    for (let round = 0; round < 8; round++) {
-      const first = await open({ remember: "", address: "" });
-      if (round % 2 === 0) await counted(first);
-      await first.goTo(2 + random.below(first.pageCount - 2));
-      const head = await headOf(first);
-      first.remove();
-      const { hash } = location;
-      expect(hash).toMatch(/^#page=\d+&at=\d+:~?[\d.]+/);
-      for (const address of [hash, "", hash.replace(/&at=.*/, "")]) {
-        history.replaceState(null, "", location.pathname + location.search + address);
-        if (round % 4 > 1) holdCounting();
-        const again = await open({ remember: "", address: "" });
-        expect(await headOf(again), `round ${round}, at "${address}"`).toBe(head);
-        countOn();
-        await counted(again);
-        expect(await headOf(again), `round ${round}, counted, at "${address}"`).toBe(head);
-        again.remove();
+  const plain = chapters.map((chapter) => chapter.replace(/<[^>]*>/g, "\n\n"));
+  const sections = plain.map((chapter) => `<section><p>${chapter}</p></section>`).join("");
+  const books: readonly (readonly [string, () => TurnleafBook["pages"]])[] = [
+    ["an EPUB", epub],
+    ["a text", () => new File([plain.join("\n\n")], "places.txt")],
+    ["a FictionBook", () => new File([tinyFb2(sections)], "places.fb2")],
+    ["a PDF", () => new File([tinyPdf({ pages: Array(20).fill("") })], "places.pdf")],
+    ["a comic", () => scans(16)],
+  ];
+
+  test.each(books)(
+    "is that of the same word however %s is loaded again, while pages are counted too",
+    async (name, pages) => {
+      const random = new Random();
+      const head = (element: TurnleafBook): Promise<string | number> =>
+        element.canTypeset ? headOf(element) : settled(element).then(() => element.page);
+      for (let round = 0; round < 1 * fuzz; round++) {
+        const first = await open({ remember: "", address: "" }, pages());
+        if ((round + name.length) % 2 === 0) await counted(first);
+        await first.goTo(2 + random.below(first.pageCount - 2));
+        const expected = await head(first);
+        let address = location.hash;
+        let { page } = first;
+        first.remove();
+        for (const how of ["the address", "what is remembered", "the page's number"]) {
+          const asked = { "the address": address, "the page's number": `#page=${page}` }[how] ?? "";
+          history.replaceState(null, "", location.pathname + location.search + asked);
+          if (random.below(2) > 0) holdCounting();
+          const again = await open({ remember: "", address: "" }, pages());
+          expect(await head(again), `by ${how}`).toBe(expected);
+          countOn();
+          await counted(again);
+          expect(await head(again), `counted, by ${how}`).toBe(expected);
+          if (location.hash !== "") address = location.hash;
+          page = again.page;
+          again.remove();
+        }
       }
-    }
-  }, 50_000);
+    },
+    60_000 * fuzz,
+  );
 
   test("keeps its side and its words while what is before it is counted; its address is renewed", async () => {
     holdCounting();
     const element = await open({ address: "" });
-    for (const page of [20, 31]) {
+    for (const page of [14, 21]) {
       await element.goTo(page);
       const head = await headOf(element);
       const isLeft = (): boolean => element.spread.left === element.page;
       const was = isLeft();
-      for (let chapter = 0; chapter < 3; chapter++) {
+      for (let chapter = 0; chapter < 2; chapter++) {
         countOn(1);
         await clock.pass(100);
         expect(await headOf(element)).toBe(head);
@@ -101,7 +125,7 @@ describe("the place of a reader in flowing text", () => {
     const chapterOf = async (): Promise<number> =>
       Number(/w(\d)c/.exec(await headOf(element))?.[1]);
     const chapter = await chapterOf();
-    expect(Math.abs(chapter - 0.6 * 9)).toBeLessThan(2);
+    expect(Math.abs(chapter - 0.6 * 6)).toBeLessThan(2);
     const head = await headOf(element);
     countOn();
     await counted(element);
@@ -118,7 +142,7 @@ test("a jump is a step in the history, and leads back until one reads on", async
   const { page } = element;
   const head = await headOf(element);
   const steps = history.length;
-  await element.showHit((await element.search("w7c2x3"))[0] ?? null);
+  await element.showHit((await element.search("w4c2x3"))[0] ?? null);
   expect(element.page).toBeGreaterThan(page + 4);
   expect(history.length).toBe(steps + 1);
   expect([back()?.hidden, back()?.textContent]).toEqual([false, `Back to page ${page}`]);
@@ -140,29 +164,32 @@ test("a jump is a step in the history, and leads back until one reads on", async
 });
 
 test("a search finds the same while pages are counted, wherever they are, and its places stay", async () => {
-  const queries = ["w3c1x5", "x59", "w8c3x1 w8c3x2"];
+  const queries = ["w3c1x5", "x59", "w5c3x1 w5c3x2"];
   const placesIn = async (element: TurnleafBook, query: string): Promise<string[]> =>
     (await element.search(query)).map(({ before, text, after }) => before + text + after);
   const first = await open();
   await counted(first);
   const expected = [];
   for (const query of queries) expected.push(await placesIn(first, query));
-  expect(expected.map(({ length }) => length)).toEqual([11, 72, 1]);
+  expect(expected.map(({ length }) => length)).toEqual([11, 37, 1]);
   first.remove();
-  for (const laid of [0, 1, 4, 8]) {
+  for (const laid of [0, 2]) {
     holdCounting();
     const element = await open({ controls: "" });
     countOn(laid);
     await clock.pass(200);
-    const searches = queries.map((query) => placesIn(element, query));
     const streamed: number[] = [];
     const hits = element.search("x59", {
       onHits: (found) => streamed.push(...found.map(({ page }) => page)),
     });
+    const others = queries
+      .filter((query) => query !== "x59")
+      .map((query) => placesIn(element, query));
     countOn();
     await counted(element);
-    expect(await Promise.all(searches), `after ${laid} chapters`).toEqual(expected);
-    expect(streamed.length).toBe(72);
+    expect(await Promise.all(others), `after ${laid} chapters`).toEqual([expected[0], expected[2]]);
+    expect((await hits).length).toBe(37);
+    expect(streamed.length).toBe(37);
     // They say where their text is now.
     for (const hit of [(await hits)[0], (await hits).at(-1)]) {
       await element.showHit(hit ?? null);
