@@ -1,10 +1,17 @@
 import { unknownFailure } from "../failures.ts";
 import type { Typography } from "../page_source.ts";
 import { SharedTasks } from "../shared_tasks.ts";
+import { divide } from "./divide.ts";
 import type { FlowBook } from "./flow_book.ts";
 import { LaidChapter } from "./laid_chapter.ts";
-import type { SectionMap } from "./laid_section.ts";
-import { estimatePages, type SectionLengths, sampleOf } from "./page_estimate.ts";
+import { LaidSection, type SectionMap } from "./laid_section.ts";
+import {
+  estimatePages,
+  type LaidSample,
+  linesIn,
+  middleSection,
+  type SectionLengths,
+} from "./page_estimate.ts";
 import type { SectionContents } from "./section_contents.ts";
 
 /** Frames kept, so that neighbouring pages are drawn without laying out again. */
@@ -27,6 +34,7 @@ export class Edition {
   #last: Promise<unknown> = Promise.resolve();
   #isClosed = false;
   readonly #number = made++;
+  #sample: LaidSample | null = null;
   /** Whether every section has been laid out once, or cannot be. */
   isCounted = false;
 
@@ -60,13 +68,21 @@ export class Edition {
   counts(): number[] {
     const { sections } = this.#book;
     const known = sections.map((_, section) => this.#maps.get(section));
-    return estimatePages(sections, this.#lengths.lines(), known, this.typography);
+    return estimatePages(sections, this.#lengths.lines(), known, this.typography, this.#sample);
   }
 
-  /** Lays out a section from which the numbers of the others' pages can be estimated. */
+  /** Lays out a piece of the text, from which the numbers of pages can be estimated. Rejects as `lay` does. */
   async sample(): Promise<void> {
-    const section = sampleOf(this.#book.sections, this.#lengths.lines(), this.typography);
-    if (section !== undefined) await this.measure(section);
+    const { sections } = this.#book;
+    const section = middleSection(sections, this.#lengths.lines());
+    if (section === undefined || this.#maps.has(section)) return;
+    const content = await this.#contents.load(section, false);
+    const isScrolled = sections[section]?.roll !== undefined;
+    const pieces = isScrolled ? [content.root] : divide(content.root);
+    const root = pieces[pieces.length >> 1] as Element;
+    const laid = await LaidSection.lay({ ...content, root }, this.typography, isScrolled);
+    this.#sample = { lines: linesIn(root.outerHTML), extent: laid.map.extent };
+    laid.close();
   }
 
   /** Returns a section in its frame. Rejects with a `BookError`, or with the signal's reason. */

@@ -17,9 +17,6 @@ const pictureLines = 9;
 /** Bytes of markup a line, before any section has been read: prose with little markup. */
 const usualBytes = 65;
 
-/** Pages that the section is to have from which those of the others are estimated: many enough to be typical, few to lay out. */
-const samplePages = 8;
-
 /** Elements whose text is not seen, pictures, and elements with which a line ends. */
 const unseen = new Set(["head", "script", "style", "annotation", "annotation-xml"]);
 const pictures = new Set(["img", "image", "video"]);
@@ -95,21 +92,29 @@ export class SectionLengths {
   }
 }
 
+/** A piece of a book that is laid out: its lines of usual length, and how many pages they fill. */
+export interface LaidSample {
+  readonly lines: number;
+  readonly extent: number;
+}
+
 /**
  * Returns each section's number of pages, known or estimated: by its lines, and by how many of
- * those a page of the sections has that are laid out.
+ * those a page has in what is laid out.
  *
  * @param lines of each section
  * @param known what is known of each section; undefined if it is not laid out
+ * @param sample a piece that is laid out besides; null if none is
  */
 export function estimatePages(
   sections: readonly FlowSection[],
   lines: readonly number[],
   known: readonly (Pick<SectionMap, "pageCount" | "extent"> | undefined)[],
   typography: Typography,
+  sample: LaidSample | null,
 ): number[] {
   const onPage = linesOnPage(typography);
-  let [taken, filled] = [0, 0];
+  let [taken, filled] = [sample?.lines ?? 0, sample?.extent ?? 0];
   for (const [section, map] of known.entries()) {
     const length = lines[section] ?? 0;
     // A cover or a title says nothing of the others' text.
@@ -124,17 +129,22 @@ export function estimatePages(
   });
 }
 
-/** Returns the section that is laid out first, to estimate the others by it; undefined if all are of fixed layout. */
-export function sampleOf(
+/**
+ * Returns the section in which the middle of the flowing text lies: it is most likely set as most of it
+ * is, where a list of contents or an index is not. Undefined if there is no flowing text.
+ */
+export function middleSection(
   sections: readonly FlowSection[],
   lines: readonly number[],
-  typography: Typography,
 ): number | undefined {
-  const wanted = samplePages * linesOnPage(typography);
-  const farFrom = (section: number): number =>
-    Math.abs(Math.log(Math.max(lines[section] ?? 0, 1) / wanted));
-  const flowing = [...sections.keys()].filter((section) => !sections[section]?.isFixed);
-  return flowing.sort((a, b) => farFrom(a) - farFrom(b))[0];
+  const flowing = lines.map((count, section) => (sections[section]?.isFixed ? 0 : count));
+  const half = flowing.reduce((sum, count) => sum + count, 0) / 2;
+  let before = 0;
+  const found = flowing.findIndex((count) => {
+    before += count;
+    return before > half;
+  });
+  return found < 0 ? undefined : found;
 }
 
 /** Returns how many lines of usual length fit on a page. */
