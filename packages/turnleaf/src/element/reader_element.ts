@@ -774,8 +774,14 @@ export abstract class ReaderElement extends ReflectingElement {
     left: string | undefined,
   ): Promise<number | null> {
     if (this.#place) return await this.#place.restore(source, src, left);
-    const [found] = left === undefined ? [] : ((await source.findAnchors?.([left])) ?? []);
-    return found === undefined || found === null ? null : found + 1;
+    if (left === undefined) return null;
+    try {
+      const [found = null] = (await source.findAnchors?.([left])) ?? [];
+      return found === null ? null : found + 1;
+    } catch {
+      // What is wrong with the book is said when it is shown.
+      return null;
+    }
   }
 
   /**

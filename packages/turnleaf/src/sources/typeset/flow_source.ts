@@ -413,7 +413,11 @@ export class FlowSource implements PageSource {
   /** As `#shown`; from now on the pages beside it follow it. */
   #show(numbered: SectionPage): SectionPage {
     const shown = this.#shown(numbered);
-    this.#shifts.set(shown.section, shown.page - numbered.page);
+    const { section } = shown;
+    // While it is not laid out, nothing of it is shown.
+    const isEstimate =
+      this.#edition.mapOf(section) !== undefined && !this.#numbers.isKnown(section);
+    if (isEstimate) this.#shifts.set(section, shown.page - numbered.page);
     return shown;
   }
 
@@ -468,23 +472,39 @@ export class FlowSource implements PageSource {
     signal: AbortSignal,
   ): Promise<{ readonly laid: LaidChapter; readonly page: number }> {
     const numbers = this.#numbers;
-    const { section, page } = this.#at(index);
-    const laid = await this.#lay(section, signal);
+    this.#at(index);
+    const numbered = numbers.at(index);
+    const { section } = numbered;
+    const laid = await this.#laid(section, signal);
+    const isEstimate = !numbers.isKnown(section);
     // It may have been counted since.
-    return { laid, page: numbers === this.#numbers ? this.#at(index).page : page };
+    const page =
+      numbers !== this.#numbers && isEstimate
+        ? pageAtFraction(numbered.page / numbers.countOf(section), laid.map.pageCount)
+        : this.#show(numbered).page;
+    // Now that it is known what is shown under the number.
+    this.#checkCount(section, laid);
+    return { laid, page };
   }
 
   async #lay(section: number, signal: AbortSignal): Promise<LaidChapter> {
+    const laid = await this.#laid(section, signal);
+    this.#checkCount(section, laid);
+    return laid;
+  }
+
+  async #laid(section: number, signal: AbortSignal): Promise<LaidChapter> {
     try {
-      const laid = await this.#edition.lay(section, signal);
-      const numbers = this.#numbers;
-      // Its pages were estimated.
-      if (laid.map.pageCount !== numbers.countOf(section)) this.#announce();
-      return laid;
+      return await this.#edition.lay(section, signal);
     } catch (error) {
       signal.throwIfAborted();
       throw this.#isClosed ? this.#closed() : error;
     }
+  }
+
+  /** Corrects the number of a section's pages if it was estimated otherwise. */
+  #checkCount(section: number, { map }: LaidChapter): void {
+    if (map.pageCount !== this.#numbers.countOf(section)) this.#announce();
   }
 
   /** Reports that pages of a section look otherwise; all of them if `pages` is null. */

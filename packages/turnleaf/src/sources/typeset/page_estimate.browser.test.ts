@@ -1,9 +1,11 @@
 import { expect, test } from "vitest";
 import { countOn, holdCounting } from "../../for_tests/held_counting.ts";
-import { tinyEpub } from "../epub/tiny_epub.ts";
+import { prose, tinyEpub } from "../epub/tiny_epub.ts";
 import { openSource } from "../open.ts";
 import type { FlowSource } from "./flow_source.ts";
 import { linesIn } from "./page_estimate.ts";
+
+const never = new AbortController().signal;
 
 /** Returns so many words of some length, always the same. */
 const words = (count: number, seed = 0): string =>
@@ -159,6 +161,28 @@ test("the first number of pages of twenty kinds of books is near the last", asyn
   expect((sorted[9] + sorted[10]) / 2, JSON.stringify(off)).toBeLessThan(0.05);
   expect(sorted.at(-1), JSON.stringify(off)).toBeLessThan(0.3);
 }, 60_000);
+
+test("a page whose number is an estimate has the text that is as far through its chapter", async () => {
+  const chapters = Array.from({ length: 7 }, (_, k) =>
+    k === 4 ? `<div style="font-size: 1.7em">${prose(16)}</div>` : prose(16),
+  );
+  holdCounting();
+  const source = await openSource(tinyEpub({ chapters }));
+  source.watchPages?.((change) => change());
+  await (source as FlowSource).estimated;
+  const [first = 0, next = 0] = ((await source.outline?.(never)) ?? [])
+    .slice(4, 6)
+    .map(({ page }) => page ?? 0);
+  const estimated = next - first;
+  const asked = Math.floor(0.75 * estimated);
+  const runs = await source.text?.(first - 1 + asked, never);
+  const paragraph = Number(/word(\d+)x/.exec(runs?.[0]?.text ?? "")?.[1]);
+  expect(Math.abs(paragraph / 16 - asked / estimated)).toBeLessThan(1.5 / 16);
+  countOn();
+  await source.settle?.();
+  expect(source.pageCount).toBeGreaterThan(7 * estimated);
+  source.close();
+});
 
 test("lines are counted by paragraphs, without what is not seen", () => {
   expect(linesIn("<p>one</p>\n  <p>two <b>words</b></p>")).toBe(2);
