@@ -20,7 +20,7 @@ const entry = (name, limit, names = "") => ({
 
 /** What most books load, at once or later. */
 const usual = [
-  part("the text over the pages, once they show", 8, "book_text_overlay"),
+  part("the text over the pages, once they show", 9, "book_text_overlay"),
   part(
     "zoomed in, pages of other sizes, fold-outs, the place kept",
     6,
@@ -44,11 +44,11 @@ const apart = [
   part("pages that are scrolled", 4, "roll_view"),
   part("sounds and films on a page", 1, "page_media"),
   part("read aloud", 4, "reading"),
-  part("six languages besides English, of which an element loads its own", 12, "texts_*"),
+  part("six languages besides English, of which an element loads its own", 13, "texts_*"),
   part("reads PDF", 1650, "pdf pdf.*.min.mjs cmaps jbig2.wasm openjpeg.wasm Foxit*.pfb"),
   part(
     "reads other formats",
-    211,
+    213,
     "budget clean_markup comic data_url epub fb2 font_type html_pages iiif_source kindle media_overlays names package_document parse_markup svg text_book unpacked_archive unpacker unpacker_worker.ts writing_direction xml_text zip",
   ),
   // Loaded for a book whose XML is not well-formed.
@@ -75,8 +75,8 @@ const allBut = (lines, name, limit) => ({
 });
 
 export default [
-  allBut([...usual, ...apart], "shows and turns a book", 161),
+  allBut([...usual, ...apart], "shows and turns a book", 162),
   ...usual,
   ...apart,
-  allBut(apart, "all that a usual book loads", 204),
+  allBut(apart, "all that a usual book loads", 207),
 ];
