@@ -77,10 +77,10 @@ export class TurnleafBook extends ReaderElement {
       this.#forget();
     },
     options: (source) => this.#options(source),
-    turn: (by, isTap) => void this.press(by, isTap),
+    turn: (by, isTap) => this.press(by, isTap),
     announceZoom: () => this.announceZoom(),
     calm: () => this.#calm,
-    goTo: (page, top) => void this.turnTo(page, { top }),
+    goTo: (page, top) => void this.turnTo(page, { top, jump: true }),
     typography: () => this.#takeTypography(),
     password: () => this.password,
     askPassword: async (isWrong, signal) =>
@@ -89,7 +89,10 @@ export class TurnleafBook extends ReaderElement {
     opened: (book) => this.#opened(book),
     changing: (change) => void this.#followSource(change),
     measured: () => this.#laidOut(),
-    renumbered: (moved, pageCount) => this.moveLists(moved.placeOf ?? moved, pageCount),
+    renumbered: (moved, pageCount) => {
+      this.moveLists(moved.placeOf ?? moved, pageCount);
+      this.jumps.follow(moved);
+    },
     warned: () => this.reportWarnings(),
     missingPart: (error) => this.#reportMissingPart(error),
     failed: (error) => this.#fail(error),
@@ -117,7 +120,7 @@ export class TurnleafBook extends ReaderElement {
   #paper: Paper | null = null;
   readonly #asked = new RequestedPage();
   /** The page where this book was last closed. */
-  #left: { readonly page: number; readonly view: Zoom } | null = null;
+  #left: { readonly page: number; readonly anchor?: string; readonly view: Zoom } | null = null;
   /** The page that has been set in this task; null if none has. */
   #justSet: number | null = null;
   /** The page of the last `pagechange`, until a page is requested. */
@@ -328,12 +331,16 @@ export class TurnleafBook extends ReaderElement {
    * opens: for its reader, as by a link on its pages or a line of its contents.
    * Resolves to false while no book is open.
    *
+   * @param options `jump` for a jump from which the reader may come back
+   *
    * @internal
    */
-  turnTo(page: number, options?: TurnOptions): Promise<boolean> {
+  turnTo(page: number, options?: TurnOptions & { readonly jump?: boolean }): Promise<boolean> {
     this.#reported = null;
     const viewer = this.#viewer;
     if (viewer === undefined) return Promise.resolve(false);
+    const isOpen = spreadOf(viewer.binding, page) === viewer.turning.spread;
+    if (options?.jump && !isOpen) this.jump();
     const top = options?.top;
     if (top !== undefined && Number.isFinite(top)) this.#life.book?.roll?.aim(page, top);
     const spread = spreadOf(viewer.binding, page);
@@ -574,7 +581,10 @@ export class TurnleafBook extends ReaderElement {
     this.#children.disconnect();
     this.#updateControls();
     // Inserted again it opens the whole book, without the pages that were added.
-    if (this.#left) this.#left = { ...this.#left, page: this.homePlace.page };
+    if (this.#left) {
+      const { page } = this.homePlace;
+      this.#left = { ...this.#left, page, anchor: this.source?.first.anchor?.(page - 1) };
+    }
     if (this.#life.book) this.returnLists();
     this.#life.close();
     this.reportLists();
@@ -751,7 +761,8 @@ export class TurnleafBook extends ReaderElement {
   async #restore(source: PageList, src: string): Promise<void> {
     this.#isRestoring = true;
     const before = JSON.stringify(typographyOf(this));
-    await this.restorePlace(source, src);
+    const found = await this.restorePlace(source, src, this.#left?.anchor);
+    if (this.#left && found !== null) this.#left = { ...this.#left, page: found };
     this.#isRestoring = false;
     // Set anew, by all that attributes say now.
     if (JSON.stringify(typographyOf(this)) !== before) this.#takeTypography();
@@ -861,6 +872,7 @@ export class TurnleafBook extends ReaderElement {
     const binding = this.#viewer?.binding;
     this.#soundAndHaptics.lie();
     if (binding === undefined || from === to) return;
+    this.jumps.rested();
     const direction = directionOf(binding, from, to);
     this.#pageChanged(pageOf(binding, from), pageOf(binding, to), direction);
   }
@@ -885,7 +897,7 @@ export class TurnleafBook extends ReaderElement {
 
   /** Makes a change of the pages that their source asks for, once the book is at rest. */
   async #followSource(change: () => NewIndex): Promise<void> {
-    if (await this.#life.book?.changePages(change)) this.#pagesChanged();
+    if (await this.#life.book?.followSource(change)) this.#pagesChanged();
   }
 
   /** Loads what tears leaves out and what keeps their pages, where they may be torn. */

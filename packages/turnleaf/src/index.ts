@@ -20,6 +20,7 @@ export type {
 } from "./element/events.ts";
 export type { RecordOptions } from "./element/film_recorder.ts";
 export type { PrintOptions } from "./element/printing.ts";
+export type { SearchOptions } from "./element/reader_element.ts";
 export type { Theme } from "./element/reflecting_element.ts";
 export { TurnleafBook, type TurnOptions } from "./element.ts";
 export type { Stock, StockFigures, Vec3 } from "./engine/shapes.ts";
@@ -48,6 +49,7 @@ export {
   type PagePicture,
   type PageSize,
   type PageSource,
+  type TextPage,
   type TextRun,
   type Typography,
 } from "./sources/page_source.ts";

@@ -16,9 +16,6 @@ interface Config {
   readonly name: string;
 }
 
-/** How often a source whose pages change is asked for all of them before it is drawn. */
-const settlings = 5;
-
 class Drawing {
   #source: PageSource | null = null;
 
@@ -29,7 +26,7 @@ class Drawing {
         name: config.name,
       });
       this.#source = source;
-      await settle(source);
+      await source.settle?.();
       const { title, language, direction, kind, pageCount, openingPage = 1 } = source;
       const { edge, layout, details = [] } = source;
       return {
@@ -97,24 +94,6 @@ function signal(): AbortSignal {
 
 function sentenceOf(error: unknown): string {
   return error instanceof Error ? error.message : String(error);
-}
-
-/** Asks for every page until a source that estimates its length has settled on one. */
-async function settle(source: PageSource): Promise<void> {
-  if (!source.watchPages) return;
-  let changes = 0;
-  source.watchPages((change) => {
-    changes++;
-    change();
-  });
-  for (let round = 0; round < settlings; round++) {
-    const before = changes;
-    for (let index = 0; index < source.pageCount; index++) {
-      await source.size(index).catch(() => null);
-      await source.text?.(index, signal()).catch(() => null);
-    }
-    if (changes === before) return;
-  }
 }
 
 /** Returns a picture in all its sizes as base64; each is half as large as the one before. */

@@ -8,7 +8,7 @@ import { Menu } from "./menu.ts";
 import type { Wording } from "./wording.ts";
 
 /** Tabs that have a button if there is little space, and actions that have one if there is much. */
-const narrowTabs: readonly Tab[] = ["contents", "search"];
+const narrowTabs: readonly Tab[] = ["contents", "search", "type"];
 const inBar: readonly ActionName[] = [
   "readAloud",
   "zoomOut",

@@ -25,6 +25,11 @@ interface PlaceOnPage {
 export interface ControlledBook<Hit extends FoundPlace = FoundPlace> extends HTMLElement {
   readonly page: number;
   readonly pageCount: number;
+  /** Whether that is an estimate, and pages are being counted. */
+  readonly estimated: boolean;
+  /** The page from which the reader has jumped, until he reads on, and what turns back there. */
+  readonly jumpedFrom: number | null;
+  jumpBack(): void;
   readonly bookTitle: string;
   readonly direction: "ltr" | "rtl";
   /** The pages that lie open. */
@@ -60,13 +65,22 @@ export interface ControlledBook<Hit extends FoundPlace = FoundPlace> extends HTM
    * any case.
    */
   press(by: 1 | -1, isTap?: boolean): Promise<boolean>;
-  /** Turns to a page of the open book for its reader, and to a place so far down it. */
-  turnTo(page: number, options?: { readonly top?: number }): Promise<boolean>;
+  /**
+   * Turns to a page of the open book for its reader, and to a place so far down it. `jump` is for a
+   * jump from which the reader may come back.
+   */
+  turnTo(
+    page: number,
+    options?: { readonly top?: number; readonly jump?: boolean },
+  ): Promise<boolean>;
   zoomTo(level: number): void;
   /** Announces a text, and the zoom level, to screen readers. */
   announce(text: string): void;
   announceZoom(): void;
-  search(query: string, options?: { signal?: AbortSignal }): Promise<readonly Hit[]>;
+  search(
+    query: string,
+    options?: { signal?: AbortSignal; onHits?: (hits: readonly Hit[]) => void },
+  ): Promise<readonly Hit[]>;
   showHit(hit: Hit | null): Promise<boolean>;
   outline(): Promise<readonly OutlineEntry[]>;
   drawPage(page: number, width: number, signal?: AbortSignal): Promise<PagePicture>;

@@ -51,7 +51,7 @@ export class BookmarksTab implements PanelTab {
         this.#book.toggleBookmark();
         this.focus();
       });
-      this.element.replaceChildren(make("p", { class: "note" }, texts.noBookmarks), add);
+      this.element.replaceChildren(make("p", { class: "remark" }, texts.noBookmarks), add);
       return;
     }
     const list = make("ul", { class: "rows" });
@@ -59,7 +59,7 @@ export class BookmarksTab implements PanelTab {
       const name = names[k];
       const there = make("button", { type: "button", class: "line" }, name);
       there.addEventListener("click", () => {
-        void this.#book.turnTo(marked);
+        void this.#book.turnTo(marked, { jump: true });
         this.#picked();
       });
       const remove = iconButton("close", `${texts.removeBookmark}: ${name}`);

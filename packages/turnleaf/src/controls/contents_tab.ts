@@ -40,7 +40,7 @@ export class ContentsTab implements PanelTab {
     const asked = {};
     this.#asked = asked;
     const { wait, noContents } = this.#wording.texts;
-    this.#tell(wait);
+    if (this.#lines.length === 0) this.#tell(wait);
     let sentence = noContents;
     let entries: readonly OutlineEntry[] = [];
     try {
@@ -57,14 +57,19 @@ export class ContentsTab implements PanelTab {
       this.#listWarnings();
       return;
     }
-    const hadFocus = this.element === activeIn(this.element);
+    const { scrollTop } = this.element;
+    const focused = activeIn(this.element);
+    const line = this.#lines.findIndex(({ button }) => button === focused);
+    this.#lines = [];
     this.element.replaceChildren(this.#list(entries, 1), ...detailList(details));
+    this.element.scrollTop = scrollTop;
     this.refresh();
-    if (hadFocus) this.focus();
+    if (line >= 0) this.#lines[line]?.button.focus();
+    else if (this.element === focused) this.focus();
   }
 
   #tell(sentence: string): void {
-    this.element.replaceChildren(make("p", { class: "note" }, sentence));
+    this.element.replaceChildren(make("p", { class: "remark" }, sentence));
   }
 
   /** Clears the contents of a book that was closed. */
@@ -73,6 +78,11 @@ export class ContentsTab implements PanelTab {
     this.#lines = [];
     this.#shownWarnings = "[]";
     this.element.replaceChildren();
+  }
+
+  /** Asks for the contents again, whose lines lead to other pages now; the list stays until they are there. */
+  renew(): void {
+    if (this.#asked !== null) void this.#ask();
   }
 
   refresh(): void {
@@ -177,7 +187,7 @@ export class ContentsTab implements PanelTab {
       make("span", { class: "label" }, this.#book.label(page)),
     );
     button.addEventListener("click", () => {
-      void this.#book.turnTo(page, { top });
+      void this.#book.turnTo(page, { top, jump: true });
       this.#picked();
     });
     this.#lines.push({ page, button });

@@ -5,6 +5,7 @@
 
 import { afterEach, expect, test } from "vitest";
 import { userEvent } from "vitest/browser";
+import { pageTap } from "../element/page_tap.ts";
 import { eventually } from "../for_tests/eventually.ts";
 import { addFakeBook } from "../for_tests/fake_book.ts";
 import { addLanguage } from "../words/languages.ts";
@@ -489,4 +490,67 @@ test("removed, nothing is left, and no key does anything", async () => {
   book.focus();
   await userEvent.keyboard(" f");
   expect(book.asked.filter((what) => what !== "hit none")).toEqual([]);
+});
+
+test("a number of pages that is an estimate says so, and a jump can be taken back", () => {
+  const { book, root, remove } = addFakeBook(780, { estimated: true, jumpedFrom: 8 });
+  expect(root.querySelector(".count")?.textContent).toContain("of about 30");
+  const back = root.querySelector<HTMLButtonElement>(".return");
+  expect([back?.hidden, back?.textContent]).toEqual([false, "Back to page 2"]);
+  back?.click();
+  expect(book.asked).toEqual(["jumpBack"]);
+  Object.assign(book, { estimated: false, jumpedFrom: null });
+  book.dispatchEvent(new CustomEvent("pageschange"));
+  expect(root.querySelector(".count")?.textContent).toContain("of 30");
+  expect(back?.hidden).toBe(true);
+  remove();
+  book.remove();
+});
+
+test("hits come in while the book is searched, and stay, on other pages, when it is counted anew", async () => {
+  const hit = { page: 9, before: "a ", text: "whale", after: "" };
+  const { book, root, remove } = addFakeBook(780);
+  let done = (): void => {};
+  book.search = (_, options) => {
+    options?.onHits?.([hit]);
+    return new Promise((resolve) => {
+      done = () => resolve([hit]);
+    });
+  };
+  root.querySelector<HTMLElement>("[aria-label=Search]")?.click();
+  const field = root.querySelector<HTMLInputElement>(".query") as HTMLInputElement;
+  field.value = "whale";
+  field.form?.requestSubmit();
+  const status = root.querySelector(".found [role=status]");
+  expect(status?.textContent).toBe("1 place – Searching …");
+  const label = () => root.querySelector(".hit .label")?.textContent;
+  expect(label()).toBe("Page 3");
+  hit.page = 12;
+  book.dispatchEvent(new CustomEvent("pageschange"));
+  expect(label()).toBe("Page 6");
+  done();
+  await eventually(() => status?.textContent).toBe("1 place");
+  expect(label()).toBe("Page 6");
+  // The status is seen: beneath the field, and not over the page.
+  const [asked, said] = [field, status as Element].map((at) => at.getBoundingClientRect());
+  expect(said?.top).toBeGreaterThanOrEqual(asked?.bottom ?? 0);
+  expect((said?.top ?? 0) - (asked?.bottom ?? 0)).toBeLessThan(20);
+  remove();
+  book.remove();
+});
+
+test("on a phone Type is in the bar, and a tap on the middle of a page hides the bars and shows them", () => {
+  const { book, root, remove } = addFakeBook(390, { canTypeset: true });
+  const type = root.querySelector<HTMLElement>("[part=toolbar] [aria-label=Type]");
+  expect(type?.offsetParent).not.toBeNull();
+  const stage = root.querySelector<HTMLElement>("[part=stage]");
+  const isBare = () => root.querySelector(".frame")?.classList.contains("bare");
+  const height = stage?.clientHeight ?? 0;
+  stage?.dispatchEvent(new Event(pageTap));
+  expect(isBare()).toBe(true);
+  expect(stage?.clientHeight).toBe(height + 100);
+  stage?.dispatchEvent(new Event(pageTap));
+  expect([isBare(), stage?.clientHeight]).toEqual([false, height]);
+  remove();
+  book.remove();
 });

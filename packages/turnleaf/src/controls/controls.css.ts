@@ -2,6 +2,9 @@
 export const style: string = /* css */ `
 .frame { --wide: 304px; }
 .ui { color: var(--turnleaf-ink); font: max(14px, 0.875rem)/1.4 var(--turnleaf-font); accent-color: var(--turnleaf-accent); }
+/* What is selected is the book's text, and not the title with it. */
+.ui { user-select: none; -webkit-user-select: none; }
+.ui input { user-select: text; -webkit-user-select: text; }
 .ui[hidden], .ui [hidden] { display: none !important; }
 .unseen { position: absolute; width: 1px; height: 1px; overflow: hidden; clip-path: inset(50%); }
 .ui button, .ui input { font: inherit; color: inherit; }
@@ -25,6 +28,8 @@ export const style: string = /* css */ `
 .ui .entry { box-sizing: border-box; height: 32px; min-width: 44px; max-width: 9ch; width: 6ch; field-sizing: content; padding: 0 8px; border: 1px solid var(--turnleaf-line); border-radius: 7px; background: var(--turnleaf-field); color: var(--turnleaf-ink); text-align: center; }
 .ui .entry[aria-invalid="true"] { border-color: var(--turnleaf-accent); color: var(--turnleaf-accent); }
 
+.ui .return { position: absolute; bottom: 60px; inset-inline: 0; width: max-content; margin-inline: auto; min-height: 36px; padding-inline: 14px; border-radius: 18px; background: var(--turnleaf-surface); color: var(--turnleaf-accent); box-shadow: 0 1px 6px rgb(0 0 0 / 0.25); }
+
 .track { position: relative; flex: 1; height: 44px; margin-inline: 6px; }
 .track input { appearance: none; width: 100%; height: 100%; margin: 0; background: none; cursor: pointer; touch-action: none; border-radius: 8px; }
 .track { --past: linear-gradient(to right, var(--turnleaf-accent) calc(9px + var(--fraction, 0) * (100% - 18px)), var(--turnleaf-track) 0); }
@@ -45,7 +50,7 @@ export const style: string = /* css */ `
 .tabs button { flex: 1; height: 44px; display: grid; place-items: center; border-radius: 10px; color: var(--turnleaf-muted); }
 .body { flex: 1; min-height: 0; position: relative; }
 .view { position: absolute; inset: 0; overflow: auto; overscroll-behavior: contain; padding: 6px; box-sizing: border-box; scrollbar-width: thin; scrollbar-color: var(--turnleaf-track) transparent; }
-.note { margin: 0; padding: 8px 10px; color: var(--turnleaf-muted); }
+.remark { margin: 0; padding: 8px 10px; color: var(--turnleaf-muted); }
 .contents, .rows { list-style: none; margin: 0; padding: 0; }
 .details { list-style: none; margin: 8px 0 0; padding: 8px 10px; border-top: 1px solid var(--turnleaf-line); overflow-wrap: anywhere; }
 .details li { margin-block: 4px; }
@@ -102,7 +107,7 @@ export const style: string = /* css */ `
 .dialog h2 { margin: 0 0 12px; font: 1.2em var(--turnleaf-serif); }
 .dialog label { display: flex; align-items: center; justify-content: space-between; gap: 16px; min-height: 44px; }
 .dialog .entry { width: 12ch; max-width: none; }
-.dialog .note { padding-inline: 0; max-width: 30ch; }
+.dialog .remark { padding-inline: 0; max-width: 30ch; }
 .dialog progress { width: 100%; }
 .choices { display: flex; justify-content: flex-end; gap: 8px; margin-top: 12px; }
 .ui .plain { min-height: 44px; padding-inline: 16px; border: 1px solid var(--turnleaf-line); border-radius: 10px; }
@@ -118,10 +123,10 @@ export const style: string = /* css */ `
   .ui :is(.entry, .query) { font-size: 16px; }
   .place { padding-inline: 2px 4px; }
 }
-.frame.full > [part="stage"] { inset-block: 0; }
-.full > :is(.bar, .pages) { transition: translate 0.25s, visibility 0.25s; }
-.full:not(.awake, .open) > .bar:not(:focus-within) { translate: 0 -100%; visibility: hidden; }
-.full:not(.awake, .open) > .pages:not(:focus-within) { translate: 0 100%; visibility: hidden; }
+.frame:is(.full, .bare) > [part="stage"] { inset-block: 0; }
+.frame > :is(.bar, .pages) { transition: translate 0.25s, visibility 0.25s; }
+:is(.full:not(.awake, .open), .bare:not(.open)) > .bar:not(:focus-within) { translate: 0 -100%; visibility: hidden; }
+:is(.full:not(.awake, .open), .bare:not(.open)) > .pages:not(:focus-within) { translate: 0 100%; visibility: hidden; }
 @media (prefers-reduced-motion: reduce) { .ui, .ui * { transition: none !important; } }
 @media print { .ui { display: none !important; } }
 @media (forced-colors: active) {

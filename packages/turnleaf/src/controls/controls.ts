@@ -1,9 +1,11 @@
 /** The reader's controls around a book: toolbar, side panel, slider, keys. */
 
 import { addStyle } from "../element/shadow_tree.ts";
+import { typographyAttributes } from "../element/typography.ts";
 import { languageOf, loadLanguage } from "../words/languages.ts";
 import { actionsOf, type Tab, zoomBy } from "./actions.ts";
 import { Bar } from "./bar.ts";
+import { watchTaps } from "./bare_page.ts";
 import type { ControlledBook, FoundPlace } from "./book.ts";
 import { BookmarksTab } from "./bookmarks_tab.ts";
 import { ContentsTab } from "./contents_tab.ts";
@@ -22,18 +24,7 @@ import { wordingFor } from "./wording.ts";
 export { askPassword } from "./password_dialog.ts";
 
 /** Attributes of the element that change what the controls show. */
-const watched = [
-  "lang",
-  "dir",
-  "sound",
-  "theme",
-  "layout",
-  "font",
-  "font-size",
-  "line-height",
-  "margins",
-  "page-colours",
-];
+const watched = ["lang", "dir", "sound", "theme", "layout", ...typographyAttributes];
 
 /** The book's events that change what the controls show. */
 const heard = [
@@ -145,16 +136,24 @@ function build<Hit extends FoundPlace>(
     panel.refresh();
   };
   for (const name of heard) book.addEventListener(name, refresh, { signal });
-  const renew = (): void => {
+  const opened = (): void => {
     views.contents.forget();
     views.thumbnails.forget();
     views.search.forget();
     refresh();
   };
-  for (const name of ["load", "pageschange"]) book.addEventListener(name, renew, { signal });
+  const renumbered = (): void => {
+    views.contents.renew();
+    views.thumbnails.forget();
+    views.search.renew();
+    refresh();
+  };
+  book.addEventListener("load", opened, { signal });
+  book.addEventListener("pageschange", renumbered, { signal });
   const observer = new MutationObserver(refresh);
   observer.observe(book, { attributeFilter: watched });
   watchFullScreen(book, frame, refresh, signal);
+  watchTaps(frame, stage, isNarrow, signal);
   listenToKeys(
     book,
     {

@@ -54,9 +54,10 @@ function handle(event: KeyboardEvent, book: ControlledBook, commands: KeyCommand
     "/": () => commands.search(),
   };
   const onBook: Record<string, () => unknown> = {
-    Home: () => book.turnTo(1),
-    End: () => book.turnTo(Number.POSITIVE_INFINITY),
-    " ": () => book.press(event.shiftKey ? -1 : 1, !event.repeat),
+    Home: () => book.turnTo(1, { jump: true }),
+    End: () => book.turnTo(Number.POSITIVE_INFINITY, { jump: true }),
+    // While it is zoomed, the key is the book's own.
+    ...(book.zoom <= 1 && { " ": () => book.press(event.shiftKey ? -1 : 1, !event.repeat) }),
   };
   // In its shadow tree, the frame around everything takes the focus for the book.
   const isBook = target === book || (target as Node).parentNode === book.shadowRoot;

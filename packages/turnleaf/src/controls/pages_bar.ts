@@ -25,6 +25,11 @@ export class PagesBar {
   readonly #status: HTMLElement = make("span", { role: "status", class: "unseen" });
   readonly #previous: HTMLButtonElement;
   readonly #next: HTMLButtonElement;
+  readonly #back: HTMLButtonElement = make("button", {
+    type: "button",
+    class: "return",
+    hidden: true,
+  });
   /** Whether the reader drags the slider: it then shows the target, not the book's place. */
   #sliding = false;
 
@@ -59,6 +64,7 @@ export class PagesBar {
       this.#next,
       form,
       this.#status,
+      this.#back,
     );
     this.#listen(form);
     this.refresh();
@@ -77,8 +83,11 @@ export class PagesBar {
       this.#field.value = label;
     }
     const { texts, number } = this.#wording;
-    const values = { page: number(page), n: number(pageCount) };
+    const values = { page: number(page), n: this.#wording.count(this.#book) };
     this.#count.textContent = fill(label === String(page) ? texts.of : texts.pageOf, values);
+    const { jumpedFrom } = this.#book;
+    this.#back.hidden = jumpedFrom === null;
+    this.#back.textContent = fill(texts.backTo, { label: this.#book.label(jumpedFrom ?? 1) });
     this.#previous.ariaDisabled = String(page <= 1);
     const { left, right } = this.#book.spread;
     this.#next.ariaDisabled = String(Math.max(page, left ?? 0, right ?? 0) >= pageCount);
@@ -90,7 +99,7 @@ export class PagesBar {
       this.#sliding = true;
       const page = Number(slider.value);
       this.#slide(page);
-      void this.#book.turnTo(page);
+      void this.#book.turnTo(page, { jump: true });
     });
     slider.addEventListener("change", () => {
       this.#sliding = false;
@@ -100,6 +109,10 @@ export class PagesBar {
     for (const end of ["pointerup", "pointercancel", "blur"]) {
       slider.addEventListener(end, held(false));
     }
+    this.#back.addEventListener("click", () => {
+      this.#book.focus({ preventScroll: true });
+      this.#book.jumpBack();
+    });
     const field = this.#field;
     field.addEventListener("focus", () => field.select());
     field.addEventListener("input", () => field.removeAttribute("aria-invalid"));
@@ -131,18 +144,18 @@ export class PagesBar {
     }
     this.#status.textContent = "";
     this.#book.focus({ preventScroll: true });
-    void this.#book.turnTo(page);
+    void this.#book.turnTo(page, { jump: true });
   }
 
   /** Sets the slider at a page and says so. */
   #slide(page: number): void {
-    const { texts, number } = this.#wording;
+    const { texts, number, count } = this.#wording;
     const { pageCount } = this.#book;
     const label = this.#book.label(page);
     this.#slider.value = String(page);
     this.#slider.setAttribute(
       "aria-valuetext",
-      fill(texts.place, { label, page: number(page), n: number(pageCount) }),
+      fill(texts.place, { label, page: number(page), n: count(this.#book) }),
     );
     this.#bubble.textContent = label;
     const fraction = pageCount > 1 ? (page - 1) / (pageCount - 1) : 0;

@@ -23,7 +23,7 @@ export function askPassword(
     autocomplete: "current-password",
     required: true,
   });
-  const note = make("p", { role: "status", class: "note" });
+  const note = make("p", { role: "status", class: "remark" });
   note.textContent = isWrong ? texts.wrongPassword : texts.passwordNeeded;
   const cancel = make("button", { type: "button", class: "plain" }, texts.cancel);
   const go = make("button", { type: "submit", class: "plain strong" }, texts.open);

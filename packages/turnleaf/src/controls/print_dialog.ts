@@ -22,7 +22,7 @@ export function askPrint(book: ControlledBook, wording: Wording, host: Node): vo
   };
   const from = field(texts.from, 1);
   const to = field(texts.to, Math.min(book.pageCount, mostPrinted));
-  const status = make("p", { role: "status", class: "note" });
+  const status = make("p", { role: "status", class: "remark" });
   if (book.pageCount > mostPrinted)
     status.textContent = wording.plural(texts.mostPrinted, mostPrinted);
   const progress = make("progress", { hidden: true, "aria-label": texts.print });

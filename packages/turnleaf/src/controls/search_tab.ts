@@ -1,5 +1,6 @@
 /** The tab that searches the book. */
 
+import { typographyAttributes } from "../element/typography.ts";
 import { fill } from "../words/languages.ts";
 import type { ControlledBook, FoundPlace } from "./book.ts";
 import { icon, make } from "./make.ts";
@@ -16,10 +17,16 @@ export class SearchTab<Hit extends FoundPlace> implements PanelTab {
   readonly #wording: Wording;
   readonly #picked: () => void;
   readonly #field: HTMLInputElement;
-  readonly #status: HTMLElement = make("p", { role: "status", class: "note" });
+  readonly #status: HTMLElement = make("p", { role: "status", class: "remark" });
   readonly #results: HTMLElement = make("ul", { class: "rows" });
   #search: AbortController | null = null;
-  #hits: readonly Hit[] = [];
+  #hits: Hit[] = [];
+  /** The rows that are listed, and how many may be. */
+  #rows: { readonly hit: Hit; readonly where: HTMLElement }[] = [];
+  #most = atOnce;
+  readonly #more: HTMLElement = make("li");
+  /** How the text was set that was searched. */
+  #typography = "";
 
   /** @param picked called when the reader went to a hit */
   constructor(book: ControlledBook<Hit>, wording: Wording, picked: () => void) {
@@ -70,9 +77,19 @@ export class SearchTab<Hit extends FoundPlace> implements PanelTab {
     this.#search?.abort();
     this.#search = null;
     this.#hits = [];
+    this.#rows = [];
+    this.#most = atOnce;
     this.#status.textContent = "";
     this.#results.replaceChildren();
     void this.#book.showHit(null);
+  }
+
+  /** Says on which pages the hits are now; text that was set anew is searched again. */
+  renew(): void {
+    if (this.#search && this.#typography !== typographyOf(this.#book)) void this.#find();
+    for (const { hit, where } of this.#rows) {
+      where.textContent = namePage(this.#wording, this.#book, hit.page);
+    }
   }
 
   async #find(): Promise<void> {
@@ -81,45 +98,71 @@ export class SearchTab<Hit extends FoundPlace> implements PanelTab {
     if (query === "") return;
     const search = new AbortController();
     this.#search = search;
+    this.#typography = typographyOf(this.#book);
     const { texts } = this.#wording;
+    const { signal } = search;
     this.#status.textContent = texts.searching;
+    const onHits = (hits: readonly Hit[]): void => {
+      if (signal.aborted) return;
+      this.#hits.push(...hits);
+      this.#status.textContent = `${this.#count} – ${texts.searching}`;
+      this.#list();
+    };
     try {
-      const hits = await this.#book.search(query, { signal: search.signal });
-      if (search.signal.aborted) return;
-      this.#hits = hits;
-      this.#status.textContent =
-        hits.length === 0 ? texts.nothingFound : this.#wording.plural(texts.found, hits.length);
-      this.#list(0);
+      const hits = await this.#book.search(query, { signal, onHits });
+      if (signal.aborted) return;
+      // Those on pages of other files among them come last until here.
+      const isInOrder = hits.every((hit, k) => hit === this.#hits[k]);
+      this.#hits = [...hits];
+      if (!isInOrder) this.#clear();
+      this.#list();
+      this.#status.textContent = hits.length === 0 ? texts.nothingFound : this.#count;
     } catch (error) {
-      if (search.signal.aborted) return;
+      if (signal.aborted) return;
       this.#status.textContent =
         error instanceof Error ? this.#wording.sentence(error) : texts.nothingFound;
     }
   }
 
-  /** Lists the hits from an index on. */
-  #list(from: number): void {
-    const { texts, number } = this.#wording;
-    for (const hit of this.#hits.slice(from, from + atOnce)) {
-      this.#results.append(make("li", {}, this.#row(hit)));
-    }
-    const left = this.#hits.length - from - atOnce;
-    if (left <= 0) return;
-    const more = make(
-      "button",
-      { type: "button", class: "line" },
-      `${texts.more} (${fill("{n}", { n: number(left) })})`,
-    );
-    const item = make("li", {}, more);
-    more.addEventListener("click", () => {
-      item.remove();
-      this.#list(from + atOnce);
-      this.#results.querySelectorAll<HTMLElement>("button")[from + atOnce]?.focus();
-    });
-    this.#results.append(item);
+  get #count(): string {
+    return this.#wording.plural(this.#wording.texts.found, this.#hits.length);
   }
 
-  #row(hit: Hit): HTMLElement {
+  #clear(): void {
+    this.#rows = [];
+    this.#results.replaceChildren();
+  }
+
+  /** Lists the hits that are not listed yet, as many as may be, and a button for the others. */
+  #list(): void {
+    const { texts, number } = this.#wording;
+    for (const hit of this.#hits.slice(this.#rows.length, this.#most)) {
+      const { row, where } = this.#row(hit);
+      this.#rows.push({ hit, where });
+      this.#results.append(make("li", {}, row));
+    }
+    const left = this.#hits.length - this.#rows.length;
+    if (left === 0) {
+      this.#more.remove();
+      return;
+    }
+    const name = `${texts.more} (${fill("{n}", { n: number(left) })})`;
+    const shown = this.#more.querySelector("button");
+    if (shown) shown.textContent = name;
+    else {
+      const more = make("button", { type: "button", class: "line" }, name);
+      more.addEventListener("click", () => {
+        const first = this.#rows.length;
+        this.#most += atOnce;
+        this.#list();
+        this.#results.querySelectorAll<HTMLElement>(".hit")[first]?.focus();
+      });
+      this.#more.append(more);
+    }
+    this.#results.append(this.#more);
+  }
+
+  #row(hit: Hit): { readonly row: HTMLElement; readonly where: HTMLElement } {
     const words = make("span", { dir: "auto" }, hit.before, make("mark", {}, hit.text), hit.after);
     const where = make("span", { class: "label" }, namePage(this.#wording, this.#book, hit.page));
     const row = make("button", { type: "button", class: "line hit" }, where, words);
@@ -131,6 +174,11 @@ export class SearchTab<Hit extends FoundPlace> implements PanelTab {
       void this.#book.showHit(hit);
       this.#picked();
     });
-    return row;
+    return { row, where };
   }
+}
+
+/** Returns what says how flowing text is set. */
+function typographyOf(book: HTMLElement): string {
+  return typographyAttributes.map((name) => book.getAttribute(name)).join();
 }

@@ -16,6 +16,7 @@ export const en: ControlTexts = {
   of: "of {n}",
   pageOf: "{page} of {n}",
   place: "Page {label}, {page} of {n}",
+  backTo: "Back to page {label}",
   noSuchPage: "There is no page {label}",
   zoomIn: "Zoom in",
   zoomOut: "Zoom out",

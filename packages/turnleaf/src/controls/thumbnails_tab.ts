@@ -163,7 +163,7 @@ export class ThumbnailsTab implements PanelTab {
     );
     button.addEventListener("click", () => {
       this.#at = page;
-      void this.#book.turnTo(page);
+      void this.#book.turnTo(page, { jump: true });
       this.#picked();
     });
     const item = make("li", { "aria-setsize": pageCount, "aria-posinset": page }, button);

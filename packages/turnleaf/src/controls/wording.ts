@@ -2,7 +2,15 @@
 
 import { sentenceOf } from "../element/failure_detail.ts";
 import { BookError } from "../sources/page_source.ts";
-import { elementTexts, fill, list, number, textsFor } from "../words/languages.ts";
+import {
+  type CountedBook,
+  countOf,
+  elementTexts,
+  fill,
+  list,
+  number,
+  textsFor,
+} from "../words/languages.ts";
 import { plural } from "../words/plural.ts";
 import type { ControlTexts, Plural } from "../words/texts.ts";
 import { en } from "./texts_en.ts";
@@ -13,6 +21,8 @@ export interface Wording {
   /** A page by its label, such as "Page iv". */
   readonly pageNamed: string;
   number(n: number): string;
+  /** The number of a book's pages, as an estimate while it is one. */
+  count(book: CountedBook): string;
   list(words: readonly string[]): string;
   plural(forms: Plural, n: number): string;
   /** Returns the sentence for an error. */
@@ -25,6 +35,7 @@ export function wordingFor(tag: string): Wording {
     texts: textsFor(tag, en),
     pageNamed: elementTexts(tag).pageNamed,
     number: (n) => number(tag, n),
+    count: (book) => countOf(tag, book),
     list: (words) => list(tag, words),
     plural: (forms, n) => plural(tag, forms, n),
     sentence: (error) => (error instanceof BookError ? sentenceOf(error, tag) : error.message),

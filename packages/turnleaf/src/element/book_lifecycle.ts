@@ -3,6 +3,7 @@
  * read, closed.
  */
 
+import { leftPage, rightPage } from "../book/spreads.ts";
 import type { ElementPlane } from "../element_plane.ts";
 import { Input } from "../input/input.ts";
 import type { Gesture } from "../input/target.ts";
@@ -23,6 +24,7 @@ import { elementTexts, fill, languageOf } from "../words/languages.ts";
 import { allowsGesture, swipeDistanceOf } from "./attributes.ts";
 import type { BookTextOverlay, TextTarget } from "./book_text_overlay.ts";
 import type { LivePages } from "./live_pages.ts";
+import { pageTap } from "./page_tap.ts";
 import type { RollView } from "./roll_view.ts";
 import { watchTransformation } from "./watch_transformation.ts";
 
@@ -42,11 +44,8 @@ export interface LifecycleHooks {
   readonly plane: ElementPlane;
   /** How a book is shown. */
   options(source: PageList): ViewerOptions;
-  /**
-   * Turns one leaf forward (1) or back (-1), with motion or without, as the reader prefers; `isTap` says
-   * that a key or button was pressed once, and is not held.
-   */
-  readonly turn: (by: 1 | -1, isTap?: boolean) => void;
+  /** Turns one leaf forward (1) or back (-1), as `InputTarget` has it. */
+  readonly turn: (by: 1 | -1, isTap?: boolean) => Promise<boolean>;
   /** Announces to screen readers the zoom level to which a key leads. */
   readonly announceZoom: () => void;
   /** Turns the open book to a page (from 1), and to a place so far down it, as `top` of `LinkTarget`. */
@@ -484,6 +483,8 @@ export class OpenBook {
     const swipeDistance = (): number => swipeDistanceOf(element);
     this.#input = new Input(canvas, stage, element, {
       ...{ viewer, plane, turn, announceZoom, calm, allows, swipeDistance },
+      columnAt: (page, at) => this.reading.columnAt(page, at),
+      tapped: () => stage.dispatchEvent(new Event(pageTap)),
     });
     const language = (): string => languageOf(element);
     this.reading = new ReadableBook({ source, viewer, canvas, roll, goTo, language }, missingPart);
@@ -511,6 +512,26 @@ export class OpenBook {
     });
     if (isMade) this.reading.changed();
     return isMade;
+  }
+
+  /**
+   * Makes a change of the pages that their source asks for, as `changePages` does: the open pages
+   * keep their sides, however many are counted before them.
+   */
+  followSource(change: () => NewIndex): Promise<boolean> {
+    return this.changePages(() => {
+      this.#keepSide();
+      return change();
+    });
+  }
+
+  #keepSide(): void {
+    const { binding, turning } = this.viewer;
+    if (binding.layout !== "spread") return;
+    const sides = [leftPage(binding, turning.spread), rightPage(binding, turning.spread)];
+    const [first = null, second = null] = binding.reversed ? sides.reverse() : sides;
+    if (first !== null) this.source.keepSide(first - 1, "first");
+    else if (second !== null) this.source.keepSide(second - 1, "second");
   }
 
   /** Gives the leaves the size of their pages, which had to be guessed until now. */
@@ -582,6 +603,8 @@ export class ReadableBook {
   readonly #ended = new AbortController();
   /** Rejects with a `BookError` if it cannot be loaded. */
   readonly #text: Promise<BookTextOverlay>;
+  /** It, once it is loaded. */
+  #overlay: BookTextOverlay | null = null;
 
   /** @param failed called once if there will be no text */
   constructor(under: TextTarget, failed: (error: unknown) => void) {
@@ -589,16 +612,21 @@ export class ReadableBook {
     const { signal } = this.#ended;
     this.#text = loadPart(import("./book_text_overlay.ts")).then(({ BookTextOverlay }) => {
       signal.throwIfAborted();
-      return new BookTextOverlay(under, signal);
+      this.#overlay = new BookTextOverlay(under, signal);
+      return this.#overlay;
     });
     this.#text.catch((error: unknown) => signal.aborted || failed(error));
   }
 
   /** As the element's own. */
-  async search(query: string, signal?: AbortSignal): Promise<readonly SearchHit[]> {
+  async search(
+    query: string,
+    signal?: AbortSignal,
+    found?: (hits: readonly SearchHit[]) => void,
+  ): Promise<readonly SearchHit[]> {
     const ended = this.#ended.signal;
     const either = signal ? AbortSignal.any([signal, ended]) : ended;
-    return (await this.#text).search(query, either);
+    return (await this.#text).search(query, either, found);
   }
 
   /**
@@ -607,6 +635,13 @@ export class ReadableBook {
    */
   mark(hit: SearchHit | null): void {
     this.#withText((text) => text.mark(hit));
+  }
+
+  /** As `BookTextOverlay` has it; null while that is not loaded. */
+  columnAt(
+    ...place: Parameters<BookTextOverlay["columnAt"]>
+  ): ReturnType<BookTextOverlay["columnAt"]> {
+    return this.#overlay?.columnAt(...place) ?? null;
   }
 
   /** Reads the pages again after a change of the book. */

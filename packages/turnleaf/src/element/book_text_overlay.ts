@@ -1,7 +1,7 @@
 /** The text of an open book, laid over its pages and searched: loaded after the book is shown. */
 
 import { pagesAt } from "../book/spreads.ts";
-import type { PageSource } from "../sources/page_source.ts";
+import type { PageList } from "../sources/page_list.ts";
 import { PageTexts } from "../text/page_texts.ts";
 import type { PageView } from "../text/page_view.ts";
 import { type SearchHit, searchBook } from "../text/searching.ts";
@@ -14,7 +14,7 @@ import { addStyle } from "./shadow_tree.ts";
 
 /** What the text layer needs of the open book. */
 export interface TextTarget {
-  readonly source: PageSource;
+  readonly source: PageList;
   readonly viewer: Viewer;
   /** In a shadow tree; read out only if there is no text. */
   readonly canvas: HTMLCanvasElement;
@@ -28,8 +28,8 @@ export interface TextTarget {
 
 /** The text of one open book. */
 export class BookTextOverlay {
-  readonly #source: PageSource;
-  readonly #texts: PageTexts;
+  readonly #source: PageList;
+  readonly #texts = new PageTexts();
   /** Over the book, and over the pages that are scrolled, if any are. */
   readonly #layers: readonly TextLayer[];
   readonly #roll: RollView | null;
@@ -37,7 +37,6 @@ export class BookTextOverlay {
   /** @param ended its abort removes the text */
   constructor({ source, viewer, canvas, roll, goTo, language }: TextTarget, ended: AbortSignal) {
     this.#source = source;
-    this.#texts = new PageTexts(source);
     const view: PageView = {
       get openPages() {
         return pagesAt(viewer.binding, viewer.turning.spread);
@@ -84,8 +83,12 @@ export class BookTextOverlay {
   }
 
   /** As the element's own. */
-  search(query: string, signal: AbortSignal): Promise<readonly SearchHit[]> {
-    return searchBook(this.#texts, this.#source.pageCount, query, signal);
+  search(
+    query: string,
+    signal: AbortSignal,
+    found?: (hits: readonly SearchHit[]) => void,
+  ): Promise<readonly SearchHit[]> {
+    return searchBook(this.#source.textPages(signal), this.#texts, query, signal, found);
   }
 
   /**
@@ -97,9 +100,13 @@ export class BookTextOverlay {
     for (const layer of this.#layers) layer.mark(hit);
   }
 
+  /** Returns the column of text at a place of an open page, as `TextLayer` does. */
+  columnAt(...place: Parameters<TextLayer["columnAt"]>): ReturnType<TextLayer["columnAt"]> {
+    return this.#layers[0]?.columnAt(...place) ?? null;
+  }
+
   /** Reads the pages again after a change of the book. */
   changed(): void {
-    this.#texts.clear();
     for (const layer of this.#layers) layer.reload();
   }
 }

@@ -59,7 +59,7 @@ export interface TurnleafEventMap {
    * one rather than two.
    */
   layoutchange: CustomEvent<{ layout: Layout; binding: Edge }>;
-  /** Pages were inserted, removed or replaced, or set anew in another number. */
+  /** Pages were inserted, removed or replaced, set anew in another number, or counted in place of an estimate. */
   pageschange: CustomEvent<{ pageCount: number }>;
   /** The book's `state` has changed. */
   statechange: CustomEvent<{ state: BookState }>;

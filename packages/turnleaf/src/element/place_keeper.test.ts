@@ -1,7 +1,7 @@
 import { afterEach, expect, it, vi } from "vitest";
 import { pageOfHash } from "../sources/page_hash.ts";
 import { cleanPages } from "./page_numbers.ts";
-import { hashWithPage, loadPlace, savePlace } from "./place_keeper.ts";
+import { anchorOfHash, hashWithPage, loadPlace, savePlace } from "./place_keeper.ts";
 
 afterEach(() => vi.unstubAllGlobals());
 
@@ -135,4 +135,14 @@ it("writes the page and leaves all else of the fragment as it is", () => {
   expect(hashWithPage("#a=%20&page=4&b", 5)).toBe("#a=%20&page=5&b");
   expect(hashWithPage("#chapter-2", 5)).toBe("#chapter-2&page=5");
   expect(hashWithPage("#mypage=4", 5)).toBe("#mypage=4&page=5");
+});
+
+it("writes the anchor of the text beside the page, once, and takes it out with it", () => {
+  expect(hashWithPage("", 5, "3:120")).toBe("#page=5&at=3:120");
+  expect(hashWithPage("#page=4&at=2:7", 5, "3:120-1")).toBe("#page=5&at=3:120-1");
+  expect(hashWithPage("#at=2:7", 5, "3:~0.2500")).toBe("#page=5&at=3:~0.2500");
+  expect(hashWithPage("#at=2:7&a=1", 5)).toBe("#a=1&page=5");
+  expect(hashWithPage("#a=1&page=4&at=2:7&b", 5, "3:1")).toBe("#a=1&page=5&at=3:1&b");
+  const anchors = ["#page=1&at=3:120-1", "#at=0:~0.5000&b", "#att=1:2", "#at=", "#at=a b", ""];
+  expect(anchors.map(anchorOfHash)).toEqual(["3:120-1", "0:~0.5000", null, null, null, null]);
 });

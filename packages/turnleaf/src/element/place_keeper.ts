@@ -43,8 +43,10 @@ export class PlaceKeeper {
   /** Whether a book is open whose place is worth keeping. */
   #isOpen = false;
 
-  /** What was kept of a book that is about to open, its pages as they lie now. */
-  #restored: { readonly source: PageList; readonly place: SavedPlace } | null = null;
+  /** What was found of a book that is about to open, its pages as they lie now. */
+  #restored: RestoredPlace | null = null;
+  /** Whether the last step of the history is a jump in the book. */
+  #hasJumped = false;
   /** The element's address of each book: it names another while the next book opens. */
   readonly #addresses = new WeakMap<PageList, string>();
 
@@ -67,15 +69,14 @@ export class PlaceKeeper {
       target.addEventListener(name, handle, { signal });
     on(this.#book, "load", () => this.#opened());
     on(this.#book, "pagechange", () => this.#write());
+    // The same text may have another number now.
+    on(this.#book, "pageschange", () => (this.#asked === null ? this.#keep() : this.#write()));
     on(this.#book, "bookmarkchange", () => this.#keep());
     on(this.#book, "dogearchange", () => this.#keep());
     on(this.#book, "foldchange", () => this.#keep());
     on(this.#book, "shiftchange", () => this.#keep());
     on(window, "pagehide", () => this.#keep());
-    on(window, "hashchange", () => {
-      const page = this.#asked;
-      if (page !== null && page !== this.#book.page) void this.#book.turnTo(page);
-    });
+    on(window, "hashchange", () => void this.#follow());
   }
 
   /** Keeps the place a last time, and stops listening. */
@@ -91,19 +92,38 @@ export class PlaceKeeper {
     this.#isOpen = false;
   }
 
+  /** Call it when the reader is about to jump in the book: the browser's Back leads back. */
+  jump(): void {
+    if (!this.#isOpen || !this.#book.hasAttribute("address")) return;
+    this.#write();
+    // The next place is written into an entry of its own.
+    this.#hasJumped = stepInHistory();
+  }
+
+  /** Goes back in the history if the last step of it is a jump in the book. Returns whether it is. */
+  back(): boolean {
+    if (this.#hasJumped) history.back();
+    return this.#hasJumped;
+  }
+
   /**
    * Sets flowing text as its reader had it, where the element does not say it
-   * otherwise, and finds the page where he was. Never rejects: a book opens at
-   * its beginning where that fails.
+   * otherwise, and finds the page where he was. Resolves to the page (from 1) of `left`, null if that
+   * is unknown. Never rejects: a book opens at its beginning where that fails.
    *
    * @param src the element's address of it
+   * @param left the anchor at which the element left the book, if it was open before
    */
-  async restore(source: PageList, src: string): Promise<void> {
+  async restore(source: PageList, src: string, left?: string): Promise<number | null> {
     this.#addresses.set(source, src);
-    if (!source.findAnchors || !this.#book.hasAttribute("remember")) return;
-    const kept = loadPlace(this.#name(source));
-    if (kept?.text === undefined) return;
-    const { anchors, typography } = kept.text;
+    if (!source.findAnchors) return null;
+    const isKept = this.#book.hasAttribute("remember");
+    const kept = isKept ? loadPlace(this.#name(source)) : null;
+    const { anchors = [], typography = {} } = kept?.text ?? {};
+    const asked = this.#asked;
+    // A number is of the pages as they were counted then: the text with which its page began says more.
+    const isSamePage = asked === null || asked === kept?.page;
+    const at = this.#askedText ?? (isSamePage ? anchors[0] : undefined);
     try {
       let isChanged = false;
       for (const [name, value] of Object.entries(typography)) {
@@ -112,18 +132,36 @@ export class PlaceKeeper {
         isChanged = true;
       }
       if (isChanged) await source.typeset?.(typographyOf(this.#book));
-      const [index, ...marks] = await source.findAnchors(anchors);
-      const ofFolds = marks.splice(kept.bookmarks.length);
+      const wanted = [at ?? "", left ?? "", ...anchors.slice(1)];
+      const [index = null, leftAt = null, ...marks] = await source.findAnchors(wanted);
+      const ofFolds = marks.splice(kept?.bookmarks.length ?? 0);
       const bookmarks = cleanPages(marks.map((mark) => (mark ?? -1) + 1));
-      const pageFolds = kept.pageFolds.flatMap((fold, index) => {
+      const pageFolds = (kept?.text ? kept.pageFolds : []).flatMap((fold, index) => {
         const found = ofFolds[index] ?? null;
         return found === null ? [] : [{ ...fold, page: found + 1 }];
       });
-      const page = (index ?? 0) + 1;
-      this.#restored = { source, place: { ...kept, page, bookmarks, pageFolds } };
+      // It was the first of its spread, and is so again.
+      const open = asked === null ? (leftAt ?? index) : index;
+      if (open !== null) source.keepSide(open, "first");
+      const page = index === null ? null : index + 1;
+      const place = kept?.text ? { ...kept, page: page ?? kept.page, bookmarks, pageFolds } : kept;
+      this.#restored = { source, page, isAsked: asked !== null || this.#askedText !== null, place };
+      return leftAt === null ? null : leftAt + 1;
     } catch {
       // What is wrong with the book is said when it is shown.
+      return null;
     }
+  }
+
+  /** Turns to where the address leads that the reader has gone to, as by the browser's Back. */
+  async #follow(): Promise<void> {
+    this.#hasJumped = false;
+    const [source, anchor, page] = [this.#source(), this.#askedText, this.#asked];
+    const [found = null] = anchor === null ? [] : ((await source?.findAnchors?.([anchor])) ?? []);
+    // Another address may have been gone to since.
+    if (source !== this.#source() || anchor !== this.#askedText || page !== this.#asked) return;
+    const to = found === null ? page : found + 1;
+    if (to !== null && to !== this.#book.page) void this.#book.turnTo(to);
   }
 
   /** The page in the address; null if there is none, or the address is not used. */
@@ -131,16 +169,23 @@ export class PlaceKeeper {
     return this.#book.hasAttribute("address") ? pageOfHash(location.hash) : null;
   }
 
+  /** The anchor of the text in the address; null if there is none, or the address is not used. */
+  get #askedText(): string | null {
+    return this.#book.hasAttribute("address") ? anchorOfHash(location.hash) : null;
+  }
+
   /**
-   * Returns the page at which a book opens: the one in the address, otherwise
-   * where it was left.
+   * Returns the page at which a book opens: where the address leads, by its text if that is known,
+   * otherwise where it was left.
    *
    * @param left where this element left it, if it was open before
    */
   opening(source: PageList | undefined, left: number | null): number | null {
     const remembers = source !== undefined && this.#book.hasAttribute("remember");
     const kept = remembers ? this.#loaded(source) : null;
-    return this.#asked ?? left ?? kept?.page ?? null;
+    const found = this.#restored?.source === source ? this.#restored : null;
+    const asked = found?.isAsked ? (found.page ?? this.#asked) : this.#asked;
+    return asked ?? left ?? found?.page ?? kept?.page ?? null;
   }
 
   #opened(): void {
@@ -158,7 +203,10 @@ export class PlaceKeeper {
   }
 
   #write(): void {
-    if (this.#book.hasAttribute("address")) writeAddress(this.#book.page);
+    if (this.#isOpen && this.#book.hasAttribute("address")) {
+      const { page } = this.#home();
+      writeAddress(this.#book.page, this.#source()?.first.anchor?.(page - 1) ?? null);
+    }
     this.#keep();
   }
 
@@ -194,6 +242,17 @@ export class PlaceKeeper {
     const { title, pageCount, anchor } = source.first;
     return `${this.#addresses.get(source) ?? this.#book.src} ${anchor ? "text" : pageCount} ${title}`;
   }
+}
+
+/** A place in a book that is about to open. */
+interface RestoredPlace {
+  readonly source: PageList;
+  /** The page (from 1) that has the text of an anchor; null if no anchor is known. */
+  readonly page: number | null;
+  /** Whether the address names a place. */
+  readonly isAsked: boolean;
+  /** What was kept of the book, its pages as they lie now. */
+  readonly place: SavedPlace | null;
 }
 
 /** A folded corner: the index of its page's bookmark, whether it is at the head, and its size. */
@@ -327,19 +386,44 @@ function read(): [string, ...unknown[]][] {
 
 const short = (name: string): string => name.slice(0, longestName);
 
-/** Returns the fragment with another page in it; the rest stays. */
-export function hashWithPage(hash: string, page: number): string {
-  if (pageInHash.test(hash)) return hash.replace(pageInHash, `$1page=${page}`);
-  return hash.length > 1 ? `${hash}&page=${page}` : `#page=${page}`;
+const textPattern = /(^#?|&)at=([\w:.~-]{1,40})(?=&|$)/;
+
+/**
+ * Returns the anchor of the text that a fragment such as `#page=12&at=3:1204`
+ * names; null if it names none.
+ */
+export function anchorOfHash(hash: string): string | null {
+  return textPattern.exec(hash)?.[2] ?? null;
 }
 
-/** Writes the page into the address, without a step in the history. */
-export function writeAddress(page: number): void {
-  const hash = hashWithPage(location.hash, page);
+/** Returns the fragment with another page in it, and the anchor of its text if it has one; the rest stays. */
+export function hashWithPage(hash: string, page: number, anchor: string | null = null): string {
+  const rest = hash
+    .replace(/&at=[\w:.~-]{1,40}(?=&|$)/, "")
+    .replace(/^#at=[\w:.~-]{1,40}(&|$)/, "#");
+  const place = anchor === null ? `page=${page}` : `page=${page}&at=${anchor}`;
+  if (pageInHash.test(rest)) return rest.replace(pageInHash, `$1${place}`);
+  return rest.length > 1 ? `${rest}&${place}` : `#${place}`;
+}
+
+/** Writes the page, and the anchor of its text if it has one, into the address, without a step in the history. */
+function writeAddress(page: number, anchor: string | null): void {
+  const hash = hashWithPage(location.hash, page, anchor);
   if (hash === location.hash) return;
   try {
     history.replaceState(history.state, "", hash);
   } catch {
     // Browsers throw if it is called too often, and in a page without an address of its own.
+  }
+}
+
+/** Adds a step to the history, which has the same address until another is written. Returns whether the browser did. */
+function stepInHistory(): boolean {
+  try {
+    history.pushState(history.state, "", location.href);
+    return true;
+  } catch {
+    // As above.
+    return false;
   }
 }

@@ -26,6 +26,7 @@ import type { WarningDetail } from "./events.ts";
 import { failureDetail, warningDetail } from "./failure_detail.ts";
 import type { FilmRecorder, RecordOptions } from "./film_recorder.ts";
 import { cleanDogEars, cleanFolds, withDogEars } from "./fold_lists.ts";
+import { Jumps } from "./jumps.ts";
 import { emptyLists, movedLists, type PageLists } from "./page_lists.ts";
 import { cleanPages } from "./page_numbers.ts";
 import type { HomePlace, PlaceKeeper } from "./place_keeper.ts";
@@ -35,6 +36,14 @@ import { SlideShow } from "./slide_show.ts";
 
 /** Maximum width of a page drawn for a caller, pixels. */
 const widestDrawn = 2048;
+
+/** How a book is searched. */
+export interface SearchOptions {
+  /** Aborts the search. */
+  readonly signal?: AbortSignal;
+  /** Called with places as soon as they are found, those of one page at once, in reading order. */
+  readonly onHits?: (hits: readonly SearchHit[]) => void;
+}
 
 /** Everything around the book: its own subclass opens and turns it. */
 export abstract class ReaderElement extends ReflectingElement {
@@ -46,7 +55,7 @@ export abstract class ReaderElement extends ReflectingElement {
    *
    * @internal
    */
-  abstract turnTo(page: number): Promise<boolean>;
+  abstract turnTo(page: number, options?: { readonly jump?: boolean }): Promise<boolean>;
   abstract next(): Promise<boolean>;
   abstract readonly spread: { left: number | null; right: number | null };
   abstract readonly state: BookState;
@@ -76,6 +85,12 @@ export abstract class ReaderElement extends ReflectingElement {
   #reportedWarnings = "[]";
   /** The last fold that was asked for: they are made one after the other. */
   #folding: Promise<unknown> = Promise.resolve();
+  /**
+   * The last jump of the reader.
+   *
+   * @internal
+   */
+  protected readonly jumps: Jumps = new Jumps();
   #film: FilmRecorder | null = null;
   #reading: Reading | null = null;
 
@@ -92,6 +107,11 @@ export abstract class ReaderElement extends ReflectingElement {
   /** Number of pages; 0 until the book is open. */
   get pageCount(): number {
     return this.source?.pageCount ?? 0;
+  }
+
+  /** Whether `pageCount` is an estimate: pages of flowing text are counted while they are read. */
+  get estimated(): boolean {
+    return this.source?.isEstimated ?? false;
   }
 
   /** The book's title; empty until it is open. */
@@ -146,10 +166,11 @@ export abstract class ReaderElement extends ReflectingElement {
    * signal's reason when aborted, or when the book is closed, and with a
    * `BookError` if the part of the viewer that searches cannot be loaded.
    *
-   * @param options `signal` aborts the search
+   * @param options `signal` aborts the search; `onHits` is called with places as soon as they are
+   * found, those of one page at once
    */
-  async search(query: string, options?: { signal?: AbortSignal }): Promise<readonly SearchHit[]> {
-    return (await this.book?.reading.search(query, options?.signal)) ?? [];
+  async search(query: string, options: SearchOptions = {}): Promise<readonly SearchHit[]> {
+    return (await this.book?.reading.search(query, options.signal, options.onHits)) ?? [];
   }
 
   /**
@@ -159,7 +180,38 @@ export abstract class ReaderElement extends ReflectingElement {
    */
   showHit(hit: SearchHit | null): Promise<boolean> {
     this.book?.reading.mark(hit);
-    return hit ? this.turnTo(hit.page) : Promise.resolve(true);
+    return hit ? this.turnTo(hit.page, { jump: true }) : Promise.resolve(true);
+  }
+
+  /**
+   * The page (from 1) from which the reader has jumped, as by a link, until he reads on; null if
+   * there is none.
+   *
+   * @internal
+   */
+  get jumpedFrom(): number | null {
+    return this.jumps.from;
+  }
+
+  /**
+   * Turns back to the page from which the reader has jumped.
+   *
+   * @internal
+   */
+  jumpBack(): void {
+    const { from } = this.jumps;
+    if (from === null || this.#place?.back()) return;
+    void this.turnTo(from);
+  }
+
+  /**
+   * Call it when the reader jumps away from the open page.
+   *
+   * @internal
+   */
+  protected jump(): void {
+    this.jumps.begin(this.page);
+    this.#place?.jump();
   }
 
   /**
@@ -730,20 +782,34 @@ export abstract class ReaderElement extends ReflectingElement {
     this.stopReadingAloud();
     this.#reportedWarnings = "[]";
     this.#place?.closed();
+    this.jumps.forget();
     const { hardPages, stocks } = this;
     this.#list({ ...emptyLists, hardPages, stocks });
   }
 
   /**
    * Sets a book's text as its reader had it, and finds where it was left: before
-   * it is shown. Never rejects.
+   * it is shown. Resolves to the page (from 1) of `left`, null if that is unknown. Never rejects.
    *
    * @param src the element's address of it
+   * @param left the anchor at which this element left the book, if it was open before
    *
    * @internal
    */
-  protected async restorePlace(source: PageList, src: string): Promise<void> {
-    await this.#place?.restore(source, src);
+  protected async restorePlace(
+    source: PageList,
+    src: string,
+    left: string | undefined,
+  ): Promise<number | null> {
+    if (this.#place) return await this.#place.restore(source, src, left);
+    if (left === undefined) return null;
+    try {
+      const [found = null] = (await source.findAnchors?.([left])) ?? [];
+      return found === null ? null : found + 1;
+    } catch {
+      // What is wrong with the book is said when it is shown.
+      return null;
+    }
   }
 
   /**

@@ -441,8 +441,9 @@ export class ReflectingElement extends Base {
   }
 
   /**
-   * Whether the page number is kept in the document's address, as `#page=23`:
-   * for one book per document.
+   * Whether the open page is kept in the document's address, as `#page=23`, or as
+   * `#page=23&at=3:1204` of flowing text, whose words it names: for one book per document. A jump,
+   * as by a link, is a step in the browser's history.
    *
    * @attribute address
    * @default off

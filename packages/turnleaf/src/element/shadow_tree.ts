@@ -4,7 +4,7 @@ import { pagesAt } from "../book/spreads.ts";
 import { ElementPlane } from "../element_plane.ts";
 import type { PageSource } from "../sources/page_source.ts";
 import type { Viewer } from "../viewer/viewer.ts";
-import { elementTexts, fill, list, number } from "../words/languages.ts";
+import { countOf, elementTexts, fill, list } from "../words/languages.ts";
 import { keepFocus } from "./focus_keeper.ts";
 
 /**
@@ -98,7 +98,10 @@ export function openPages(source: PageSource, viewer: Viewer, tag: string): stri
   const seen = pagesAt(viewer.binding, spread).map((page) => source.label(page - 1));
   const { back, pageOpen, pagesOpen } = elementTexts(tag);
   const text = [back, pageOpen][seen.length] ?? pagesOpen;
-  return fill(text, { pages: list(tag, seen), n: number(tag, source.pageCount) });
+  return fill(text, {
+    pages: list(tag, seen),
+    n: countOf(tag, { pageCount: source.pageCount, estimated: source.isEstimated ?? false }),
+  });
 }
 
 /**
@@ -150,7 +153,10 @@ ${dark(':host([theme="dark"])')}
 @media (prefers-color-scheme: dark) { ${dark(':host(:not([theme="light"], [theme="paper"]))')} }
 :host(:is([controls], [theme])) { background: var(--turnleaf-desk); }
 .frame:focus { outline: none; }
-.frame:focus-visible { outline: 2px solid var(--turnleaf-accent); outline-offset: -2px; }
+.frame:focus-visible { outline: none; }
+.frame:focus-visible > [part="stage"]::after {
+  content: ""; position: absolute; inset: 4px; border: 2px solid var(--turnleaf-accent); border-radius: 8px; pointer-events: none;
+}
 :host([hidden]) { display: none; }
 .frame { position: absolute; inset: 0; container: turnleaf / inline-size; }
 .room {
@@ -186,5 +192,5 @@ ${dark(':host([theme="dark"])')}
     scale: min(tan(atan2(100cqw, var(--screen-width, 100cqw))), tan(atan2(100cqh, var(--screen-height, 100cqh))));
   }
 }
-.live { position: absolute; width: 1px; height: 1px; overflow: hidden; clip-path: inset(50%); }
+.live { user-select: none; -webkit-user-select: none; position: absolute; width: 1px; height: 1px; overflow: hidden; clip-path: inset(50%); }
 `;

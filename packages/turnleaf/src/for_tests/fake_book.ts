@@ -11,6 +11,8 @@ import { clock } from "./clock.ts";
 export class FakeBook extends HTMLElement implements ControlledBook {
   page = 4;
   pageCount = 30;
+  estimated = false;
+  jumpedFrom: number | null = null;
   bookTitle = "A Book";
   direction: "ltr" | "rtl" = "ltr";
   spread = { left: 4, right: 5 };
@@ -55,6 +57,10 @@ export class FakeBook extends HTMLElement implements ControlledBook {
   turnTo = (page: number, { top = 0 }: { readonly top?: number } = {}): Promise<boolean> =>
     this.#turn(`turnTo ${page}${top === 0 ? "" : ` at ${top}`}`, page);
 
+  jumpBack(): void {
+    this.asked.push("jumpBack");
+  }
+
   async readAloud(): Promise<void> {
     this.asked.push("readAloud");
     this.readingAloud = true;
@@ -81,8 +87,12 @@ export class FakeBook extends HTMLElement implements ControlledBook {
     this.dispatchEvent(new CustomEvent("zoomchange"));
   }
 
-  async search(query: string): Promise<readonly FoundPlace[]> {
+  async search(
+    query: string,
+    options?: { onHits?: (hits: readonly FoundPlace[]) => void },
+  ): Promise<readonly FoundPlace[]> {
     this.asked.push(`search ${query}`);
+    if (this.hits.length > 0) options?.onHits?.(this.hits);
     return this.hits;
   }
 

@@ -2,7 +2,7 @@
 
 import { afterEach } from "vitest";
 import { openSource } from "../sources/open.ts";
-import type { NewIndex, PageSource } from "../sources/page_source.ts";
+import type { PageSource } from "../sources/page_source.ts";
 
 const never = new AbortController().signal;
 const opened: PageSource[] = [];
@@ -18,7 +18,7 @@ export function closeBooks(): void {
 export async function laidOut(book: Parameters<typeof openSource>[0]): Promise<PageSource> {
   const source = await openSource(book);
   opened.push(source);
-  await new Promise<NewIndex>((resolve) => source.watchPages?.((change) => resolve(change())));
+  await source.settle?.();
   return source;
 }
 

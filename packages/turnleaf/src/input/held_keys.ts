@@ -1,9 +1,11 @@
 /** Keys of the book itself: they turn one leaf, unfold a page, zoom, and pan while zoomed. */
 
 import { turnOfKey } from "../book/layout.ts";
+import { pagesAt } from "../book/spreads.ts";
 import type { Place } from "../stage/book_stage.ts";
 import { keepsKeys } from "./own_pointers.ts";
 import type { InputTarget } from "./target.ts";
+import { type NextView, nextView, viewOf } from "./zoomed_reading.ts";
 
 /**
  * Duration of a zoom or pan by key, seconds, and the zoom of one key: that of
@@ -36,7 +38,11 @@ export class Keys {
   press(event: KeyboardEvent): void {
     if (event.defaultPrevented || event.altKey || event.ctrlKey || event.metaKey) return;
     if (!this.#isBook(event.composedPath()[0]) && !this.#isOnPage(event.composedPath()[0])) return;
-    const done = this.#zoom(event.key) || this.#pan(event.key) || this.#toggleFoldOut(event);
+    const done =
+      this.#zoom(event.key) ||
+      this.#pan(event.key) ||
+      this.#readOn(event) ||
+      this.#toggleFoldOut(event);
     const by = done ? 0 : turnOfKey(event.key, this.#target.viewer.binding.edge);
     if (!done && by === 0) return;
     event.preventDefault();
@@ -87,6 +93,34 @@ export class Keys {
     const step = 2 * panStep;
     this.#glide(zoomLevel, { x: x * (1 + step * way[0]), y: y * (1 + step * way[1]) });
     return true;
+  }
+
+  /** Goes on in a zoomed book: down the page, then to the head of the next one, turning a leaf for it. */
+  #readOn({ key, shiftKey }: KeyboardEvent): boolean {
+    const { viewer, turn } = this.#target;
+    const by = key === "PageUp" || (key === " " && shiftKey) ? -1 : 1;
+    if (viewer.zoomLevel <= 1 || !(key === "PageDown" || key === "PageUp" || key === " "))
+      return false;
+    const { clientWidth, clientHeight } = this.#stage;
+    const view = nextView(viewer, by, clientWidth, clientHeight);
+    if (view) this.#show(view);
+    else {
+      const [first] = pagesAt(viewer.binding, viewer.turning.spread);
+      const x = first === undefined ? undefined : viewer.project(first, 0, 0)?.x;
+      void turn(by).then((isTurned) => {
+        const pages = pagesAt(viewer.binding, viewer.turning.spread);
+        const page = by === 1 ? pages[0] : pages.at(-1);
+        if (!isTurned || page === undefined || viewer.zoomLevel <= 1) return;
+        const next = viewOf(viewer, page, by, x, clientHeight);
+        if (next) this.#show(next);
+      });
+    }
+    return true;
+  }
+
+  #show({ from, to }: NextView): void {
+    const { viewer, calm } = this.#target;
+    viewer.zoom(viewer.zoomLevel, from, to, calm() ? 0 : glide);
   }
 
   /** Moves the point in the middle to a place, at a level. */

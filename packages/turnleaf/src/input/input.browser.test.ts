@@ -385,3 +385,58 @@ test("who asked for less motion sees no corner lift and no glide", async () => {
     globalThis.matchMedia = real;
   }
 });
+
+test("zoomed, Space and Page Down go down the page, to the head of the next, and then turn the leaf", async () => {
+  const element = book(scans(12), { page: "6", cover: "none", duration: "0", controls: "" });
+  element.style.cssText = "width: 600px; height: 500px";
+  await happens(element, "load");
+  await settled(element);
+  await eventually(() => element.shadowRoot?.querySelector("[part=toolbar]")).toBeTruthy();
+  const stage = element.shadowRoot?.querySelector("[part=stage]") as HTMLElement;
+  const { left } = element.spread;
+  element.zoomTo(3, { x: 150, y: 60 });
+  await settled(element);
+  element.focus();
+  const press = async (key: string, more = {}): Promise<void> => {
+    const target = element.shadowRoot?.querySelector(".frame");
+    target?.dispatchEvent(
+      new KeyboardEvent("keydown", {
+        key,
+        bubbles: true,
+        composed: true,
+        cancelable: true,
+        ...more,
+      }),
+    );
+    await clock.pass(400);
+    await settled(element);
+  };
+  /** Returns the book's box, whose place says what is seen: as it is zoomed, its left half is the left page. */
+  const seen = () => {
+    const { x, y, width, height } = element.bookBounds as DOMRect;
+    return { x: x - stage.offsetLeft, y: y - stage.offsetTop, width, height };
+  };
+  const turned = vi.fn();
+  element.addEventListener("pagechange", turned);
+  const start = seen();
+  await press(" ");
+  expect(start.y - seen().y).toBeGreaterThan(100);
+  expect(seen().x).toBeCloseTo(start.x, 0);
+  for (let k = 0; k < 6 && seen().y + seen().height > stage.clientHeight + 2; k++)
+    await press("PageDown");
+  // The foot of the left page, then the head of the right one, at the same place across.
+  expect(seen().y + seen().height).toBeCloseTo(stage.clientHeight, 0);
+  await press(" ");
+  expect(turned).not.toHaveBeenCalled();
+  expect(seen().y).toBeCloseTo(0, 0);
+  expect(start.x - seen().x).toBeCloseTo(start.width / 2, -1);
+  await press(" ", { shiftKey: true });
+  expect(seen().y + seen().height).toBeCloseTo(stage.clientHeight, 0);
+  await press(" ");
+  for (let k = 0; k < 8 && turned.mock.calls.length === 0; k++) await press(" ");
+  expect(element.spread.left).toBe((left ?? 0) + 2);
+  expect(element.zoom).toBe(3);
+  // The piles are not as high as they were.
+  expect(seen().y).toBeCloseTo(0, -1);
+  expect(seen().x).toBeCloseTo(start.x, -1);
+});

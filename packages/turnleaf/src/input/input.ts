@@ -251,11 +251,19 @@ export class Input {
     const { allows } = this.#target;
     const inside = hit === null || !allows("click") || !turnsByClick(hit);
     if (inside && allows("zoom") && this.#taps.tap(event)) {
-      const { level, from, to } = pageZoom(this.#viewer, at, this.#canvas.clientWidth);
+      const { level, from, to } = pageZoom(
+        this.#viewer,
+        at,
+        this.#canvas.clientWidth,
+        this.#target.columnAt,
+      );
       this.#viewer.zoom(level, from, to, this.#target.calm() ? 0 : tapZoomTime);
       return;
     }
-    if (inside) this.#viewer.commands.tap(at.x, at.y);
+    if (inside) {
+      this.#viewer.commands.tap(at.x, at.y);
+      if (event.pointerType === "touch") this.#target.tapped();
+    }
     if (hit === null || inside || !isOnLeaf(hit) || this.#viewer.drags.isFlying(hit)) return;
     const isRight = sideOf(hit) === Side.right;
     const way = forward(this.#viewer.binding);

@@ -3,6 +3,7 @@
 import { pagesAt } from "../book/spreads.ts";
 import type { Place } from "../stage/book_stage.ts";
 import type { Viewer } from "../viewer/viewer.ts";
+import type { InputTarget } from "./target.ts";
 
 /** Fraction of the canvas that the page's width is to fill. */
 const filled = 0.94;
@@ -19,17 +20,33 @@ interface RequestedZoom {
 }
 
 /**
- * Returns the zoom for a double tap at a place: the page there across the whole
- * canvas; for a zoomed book, all of it.
+ * Returns the zoom for a double tap at a place: the page there, or its column of text if it has several,
+ * across the whole canvas; for a zoomed book, all of it.
  *
  * @param width of the canvas, CSS pixels
+ * @param columnAt as `InputTarget` has it
  */
-export function pageZoom(viewer: Viewer, at: Place, width: number): RequestedZoom {
+export function pageZoom(
+  viewer: Viewer,
+  at: Place,
+  width: number,
+  columnAt: InputTarget["columnAt"],
+): RequestedZoom {
   const whole = { level: 1, from: at, to: at };
   if (viewer.zoomLevel > 1) return whole;
   const pages = pagesAt(viewer.binding, viewer.turning.spread).flatMap((page) => {
     const [left, right] = [viewer.project(page, 0, 0.5), viewer.project(page, 1, 0.5)];
-    return left && right ? [{ middle: (left.x + right.x) / 2, across: right.x - left.x }] : [];
+    if (!left || !right) return [];
+    const [across, head, foot] = [
+      right.x - left.x,
+      viewer.project(page, 0, 0),
+      viewer.project(page, 0, 1),
+    ];
+    const down = head && foot ? (at.y - head.y) / (foot.y - head.y) : 0.5;
+    const place = { x: (at.x - left.x) / across, y: down };
+    const isOn = place.x >= 0 && place.x <= 1;
+    const { from, to } = (isOn && columnAt(page, place)) || { from: 0, to: 1 };
+    return [{ middle: left.x + ((from + to) / 2) * across, across: (to - from) * across }];
   });
   const [page] = pages.sort((a, b) => Math.abs(a.middle - at.x) - Math.abs(b.middle - at.x));
   if (page === undefined) return { ...whole, level: least };

@@ -1,18 +1,35 @@
 /** The target of pointers, wheel and keys. */
 
 import type { ElementPlane } from "../element_plane.ts";
+import type { Place } from "../stage/book_stage.ts";
 import type { Viewer } from "../viewer/viewer.ts";
 
 /** A kind of gesture by pointer or wheel that can be switched off. */
 export type Gesture = "drag" | "click" | "corner" | "wheel" | "zoom";
+
+/** Where a column of text begins and ends, as fractions of a page's width. */
+export interface Column {
+  readonly from: number;
+  readonly to: number;
+}
 
 /** An open book, and the callbacks of the element around it. */
 export interface InputTarget {
   readonly viewer: Viewer;
   /** How the stage is seen in the window. */
   readonly plane: ElementPlane;
-  /** Turns one leaf forward (1) or back (-1), with motion or without, as the reader prefers. */
-  readonly turn: (by: 1 | -1, isTap?: boolean) => void;
+  /**
+   * Turns one leaf forward (1) or back (-1), with motion or without, as the reader prefers. `isTap`
+   * says that a key or button was pressed once, and is not held. Resolves, once the book is at rest, to whether it lies there.
+   */
+  readonly turn: (by: 1 | -1, isTap?: boolean) => Promise<boolean>;
+  /**
+   * Returns where the column of text at a place of an open page begins and ends, as fractions of the page's
+   * width; null if it has one column, or its text is not known.
+   */
+  readonly columnAt: (page: number, at: Place) => Column | null;
+  /** A finger has tapped on the middle of a page. */
+  readonly tapped: () => void;
   /** Announces to screen readers the zoom level to which a key leads. */
   readonly announceZoom: () => void;
   /** Returns whether the reader prefers reduced motion. */

@@ -16,6 +16,7 @@ import {
   type PageSize,
   type PageSource,
   placeOf,
+  type TextPage,
   type TextRun,
 } from "./page_source.ts";
 import { joinedWarnings } from "./warnings.ts";
@@ -140,6 +141,10 @@ export class PageList implements PageSource {
     return this.#entries.length;
   }
 
+  get isEstimated(): boolean {
+    return this.first.isEstimated ?? false;
+  }
+
   get openingPage(): number | undefined {
     return this.first.openingPage;
   }
@@ -174,7 +179,7 @@ export class PageList implements PageSource {
     };
   }
 
-  /** Finds anchors of the first source, before it is watched. */
+  /** Finds anchors of the first source. */
   get findAnchors(): PageSource["findAnchors"] {
     const first = this.first;
     if (!first.findAnchors) return undefined;
@@ -182,8 +187,16 @@ export class PageList implements PageSource {
       const found = (await first.findAnchors?.(anchors)) ?? [];
       // Its pages are counted anew.
       if (this.#listener === null) this.#set(entriesOf(first));
-      return found;
+      return found.map((index) => {
+        const page = index === null ? null : this.#pageOf(first, index + 1);
+        return page === null ? null : page - 1;
+      });
     };
+  }
+
+  keepSide(index: number, side: "first" | "second"): void {
+    const entry = this.#entries[index];
+    entry?.source.keepSide?.(entry.index, side);
   }
 
   /** Sets the first source's text anew, if it can be. */
@@ -270,6 +283,33 @@ export class PageList implements PageSource {
 
   text(index: number, signal: AbortSignal, exact?: boolean): Promise<readonly TextRun[]> {
     return this.#of(index, async (source, own) => (await source.text?.(own, signal, exact)) ?? []);
+  }
+
+  /** Goes through the pages as they lie, and through all those at once whose source goes through its own. */
+  async *textPages(signal: AbortSignal): AsyncGenerator<TextPage> {
+    const done = new Set<PageSource>();
+    for (let at = 0, entry = this.#entries[0]; entry; entry = this.#entries[++at]) {
+      const { source } = entry;
+      if (!source.textPages) {
+        const page = entry;
+        const text = async (own: AbortSignal): Promise<readonly TextRun[]> =>
+          (await source.text?.(page.index, own)) ?? [];
+        yield { key: page, index: () => this.indexOf(page), text };
+      } else if (!done.has(source)) {
+        done.add(source);
+        for await (const page of source.textPages(signal)) {
+          const index = (): number | null => {
+            const own = page.index();
+            const here = own === null ? null : this.#pageOf(source, own + 1);
+            return here === null ? null : here - 1;
+          };
+          if (index() !== null) yield { ...page, index };
+        }
+      }
+      // Pages may have been added and removed meanwhile.
+      const now = this.#entries.indexOf(entry);
+      if (now >= 0) at = now;
+    }
   }
 
   alt(index: number, signal: AbortSignal): Promise<string> {

@@ -209,6 +209,16 @@ export interface Narration {
   mark(number: number | null): void;
 }
 
+/** A page of a book whose text is gone through, whatever number it has meanwhile. */
+export interface TextPage {
+  /** What identifies its text: the same for the same text. */
+  readonly key: unknown;
+  /** Returns where its text lies now (from 0); null if the book has it no longer. */
+  index(): number | null;
+  /** Returns its text. Rejects as `draw` does. */
+  text(signal: AbortSignal): Promise<readonly TextRun[]>;
+}
+
 /** A book's pages, drawn one by one on request. */
 export interface PageSource {
   /** The book's title, or the file's name if it has none. */
@@ -221,6 +231,8 @@ export interface PageSource {
   readonly direction: "ltr" | "rtl";
   /** At least 1. It changes only within a call of a function given to `watchPages`' listener. */
   readonly pageCount: number;
+  /** Whether `pageCount` is an estimate until all pages are counted. The default is false. */
+  readonly isEstimated?: boolean;
   /** The page (from 1) at which the book should open, if it says so. */
   readonly openingPage?: number;
   /** The edge at which the book is bound. The default is decided by `direction`. */
@@ -276,6 +288,11 @@ export interface PageSource {
    */
   text?(index: number, signal: AbortSignal, exact?: boolean): Promise<readonly TextRun[]>;
   /**
+   * Goes through the text of the whole book in reading order, each page once, however pages are
+   * counted anew meanwhile. The default is page after page. Rejects as `draw` does.
+   */
+  textPages?(signal: AbortSignal): AsyncIterable<TextPage>;
+  /**
    * Returns a description of the pictures on page `index` (from 0), may be
    * empty. Rejects as `draw` does.
    */
@@ -312,10 +329,20 @@ export interface PageSource {
   anchor?(index: number): string;
   /**
    * Resolves to the pages (from 0) on which anchors lie, null for one that is
-   * none of this book. The pages may be counted anew: call it before
-   * `watchPages`.
+   * none of this book. Before `watchPages` the pages may be counted anew by it.
    */
   findAnchors?(anchors: readonly string[]): Promise<readonly (number | null)[]>;
+  /**
+   * Resolves once all pages are counted and nothing of `pageCount` is estimated, for a program that
+   * reads the pages itself: without a listener of `watchPages` the pages are renumbered by then.
+   * Rejects as `draw` does. Absent if pages are never estimated.
+   */
+  settle?(signal?: AbortSignal): Promise<void>;
+  /**
+   * Has page `index` (from 0) lie on a side of its spread from the next change of the pages on, however
+   * many are counted before it then: a side may be left blank before its chapter.
+   */
+  keepSide?(index: number, side: "first" | "second"): void;
   /**
    * Sets the listener for changes of the pages: text that is set in another
    * size, a length that was estimated. The source keeps its old pages until the

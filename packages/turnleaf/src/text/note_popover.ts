@@ -1,6 +1,6 @@
 /** A note shown over the book, in place of a turn to where it is printed, or a question before a link is followed. */
 
-/** Distance between the note and its link, and from the window's edges, CSS pixels. */
+/** Distance between the note and its link, and from the edges of what is seen, CSS pixels. */
 const gap = 8;
 
 /** One note at a time. Escape and a click elsewhere close it; the focus returns to its link. */
@@ -41,7 +41,8 @@ export class NotePopover {
   }
 
   /**
-   * Shows a note, or a question, beside its link.
+   * Shows a note, or a question, at the foot of what is seen of the book, or at its head if its link
+   * stands there.
    *
    * @param more the name of the page where the note is printed, or a word for following the link
    * @param follow turns there, or follows the link
@@ -58,8 +59,11 @@ export class NotePopover {
     const { width, height } = element.getBoundingClientRect();
     const middle = beside.left + beside.width / 2 - width / 2;
     const left = Math.max(Math.min(middle, innerWidth - width - gap), gap);
-    const isBelow = beside.bottom + gap + height <= innerHeight;
-    const top = isBelow ? beside.bottom + gap : Math.max(beside.top - gap - height, gap);
+    // At the foot of what is seen of the book, as notes are printed: not over the lines that are read next.
+    const { top: head, bottom: foot } = element.parentElement?.getBoundingClientRect() ?? beside;
+    const lowest = Math.min(foot, innerHeight) - gap - height;
+    const isFree = lowest >= beside.bottom + gap;
+    const top = Math.max(isFree ? lowest : Math.max(head, 0) + gap, gap);
     // No transformation reaches what lies over everything, but the `zoom` around it does.
     const zoom = width / element.offsetWidth || 1;
     Object.assign(element.style, { left: `${left / zoom}px`, top: `${top / zoom}px` });

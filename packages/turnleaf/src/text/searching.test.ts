@@ -1,7 +1,8 @@
 import { describe, expect, it } from "vitest";
-import type { PageSource, TextRun } from "../sources/page_source.ts";
+import { PageList } from "../sources/page_list.ts";
+import type { PageSource, TextPage, TextRun } from "../sources/page_source.ts";
 import { PageTexts } from "./page_texts.ts";
-import { findIn, searchBook } from "./searching.ts";
+import { findIn, type SearchHit, searchBook } from "./searching.ts";
 
 const never = new AbortController().signal;
 
@@ -67,6 +68,14 @@ function sourceOf(pages: readonly (readonly TextRun[])[]): { source: PageSource;
   return { source: { pageCount: pages.length, text } as unknown as PageSource, asked };
 }
 
+/** Searches the pages of a source. */
+const search = (
+  source: PageSource,
+  query: string,
+  { texts = new PageTexts(), signal = never } = {},
+): Promise<readonly SearchHit[]> =>
+  searchBook(new PageList(source).textPages(signal), texts, query, signal);
+
 describe("a search", () => {
   it("tells the page, the place and what stands about it", async () => {
     const { source } = sourceOf([
@@ -78,7 +87,7 @@ describe("a search", () => {
         "tle money",
       ),
     ]);
-    const hits = await searchBook(new PageTexts(source), 3, "some", never);
+    const hits = await search(source, "some");
     expect(hits).toEqual([
       {
         page: 3,
@@ -89,36 +98,59 @@ describe("a search", () => {
         index: 0,
       },
     ]);
-    const [broken] = await searchBook(new PageTexts(source), 3, "little", never);
+    const [broken] = await search(source, "little");
     expect(broken).toMatchObject({ text: "little", after: " money" });
     expect(broken.before).toMatch(/^… .*having $/);
   });
 
   it("ends when aborted, and at its bounds", async () => {
     const { source, asked } = sourceOf(Array.from({ length: 90 }, () => lines("a ".repeat(60))));
-    const texts = new PageTexts(source);
     const controller = new AbortController();
-    const searching = searchBook(texts, 90, "a", controller.signal);
+    const searching = search(source, "a", { signal: controller.signal });
     controller.abort(new Error("another query"));
     await expect(searching).rejects.toThrow("another query");
     expect(asked.length).toBeLessThan(3);
-    const hits = await searchBook(texts, 90, "a", never);
+    const hits = await search(source, "a");
     expect(hits.length).toBe(2000);
-    expect(await searchBook(texts, 90, "", never)).toEqual([]);
-    expect((await searchBook(texts, 90, "a".repeat(1e6), never)).length).toBe(0);
+    expect(await search(source, "")).toEqual([]);
+    expect((await search(source, "a".repeat(1e6))).length).toBe(0);
   });
 
   it("reads a page once, and keeps no more than its bound", async () => {
     const few = sourceOf([lines("whale"), lines("whale")]);
-    const texts = new PageTexts(few.source);
-    await searchBook(texts, 2, "whale", never);
-    await searchBook(texts, 2, "ship", never);
+    const texts = new PageTexts();
+    const list = new PageList(few.source);
+    for (const query of ["whale", "ship"]) {
+      await searchBook(list.textPages(never), texts, query, never);
+    }
     expect(few.asked).toEqual([1, 2]);
     const many = sourceOf(Array.from({ length: 5 }, () => lines("x".repeat(700_000))));
-    const bounded = new PageTexts(many.source);
-    await searchBook(bounded, 5, "y", never);
-    await bounded.of(5, never);
-    await bounded.of(1, never);
+    const pages = new PageList(many.source);
+    const bounded = new PageTexts();
+    await searchBook(pages.textPages(never), bounded, "y", never);
+    const read: TextPage[] = [];
+    for await (const page of pages.textPages(never)) read.push(page);
+    for (const page of [read[4], read[0]]) if (page) await bounded.of(page, never);
     expect(many.asked).toEqual([1, 2, 3, 4, 5, 1]);
+  });
+
+  it("goes on while pages are added and removed, and its places follow theirs", async () => {
+    const { source } = sourceOf(["one", "whale", "two", "whale"].map((word) => lines(word)));
+    const list = new PageList(source);
+    const added = sourceOf([lines("whale")]).source;
+    const found: SearchHit[] = [];
+    const hits = await searchBook(
+      list.textPages(never),
+      new PageTexts(),
+      "whale",
+      never,
+      (hits) => {
+        found.push(...hits);
+        if (found.length === 1) list.splice(0, 1, null);
+        else if (found.length === 2) list.splice(0, 0, added);
+      },
+    );
+    expect(hits.map(({ page }) => page)).toEqual([2, 4]);
+    expect(found.map(({ page }) => page)).toEqual([2, 4]);
   });
 });

@@ -1,12 +1,12 @@
 /** Finds a word or phrase in a whole book. */
 
-import type { TextRun } from "../sources/page_source.ts";
+import type { TextPage, TextRun } from "../sources/page_source.ts";
 import { foldQuery, foldRuns } from "./case_folding.ts";
 import type { PageTexts } from "./page_texts.ts";
 
 /** A hit of a search. */
 export interface SearchHit {
-  /** The page, from 1. */
+  /** The page, from 1, as pages are numbered now: it follows its text while they are counted. */
   readonly page: number;
   /**
    * The text before it on the page, some fifty characters in one line; begins
@@ -46,27 +46,53 @@ const pagesAtOnce = 8;
  * count; a line's end counts as a space. Rejects with the signal's reason when
  * aborted.
  *
- * @param count number of pages
+ * @param pages the book's pages, in reading order
+ * @param found called with the places on a page as soon as they are found
  */
 export async function searchBook(
+  pages: AsyncIterable<TextPage>,
   texts: PageTexts,
-  count: number,
   query: string,
   signal: AbortSignal,
+  found: (hits: readonly SearchHit[]) => void = () => {},
 ): Promise<readonly SearchHit[]> {
   signal.throwIfAborted();
   const hits: SearchHit[] = [];
   if (foldQuery(query.slice(0, longestQuery)) === "") return hits;
-  for (let page = 1; page <= count && hits.length < mostHits; page++) {
-    if (page % pagesAtOnce === 0) await new Promise((resolve) => setTimeout(resolve));
+  let read = 0;
+  for await (const page of pages) {
+    if (++read % pagesAtOnce === 0) await new Promise((resolve) => setTimeout(resolve));
     const runs = await texts.of(page, signal);
     signal.throwIfAborted();
-    for (const [index, stretches] of findIn(runs, query).entries()) {
-      hits.push({ page, ...contextOf(runs, stretches), query, index });
-      if (hits.length === mostHits) break;
-    }
+    const here = findIn(runs, query)
+      .slice(0, mostHits - hits.length)
+      .map((stretches, index) => hitOn(page, contextOf(runs, stretches), query, index));
+    if (here.length === 0) continue;
+    hits.push(...here);
+    found(here);
+    if (hits.length === mostHits) break;
   }
-  return hits;
+  // Pages of another source among these come after them.
+  return hits.sort((a, b) => a.page - b.page);
+}
+
+/** Returns a hit whose number follows its page. */
+function hitOn(
+  page: TextPage,
+  context: Pick<SearchHit, "before" | "text" | "after">,
+  query: string,
+  index: number,
+): SearchHit {
+  let last = 0;
+  return {
+    get page() {
+      last = page.index() ?? last;
+      return last + 1;
+    },
+    ...context,
+    query,
+    index,
+  };
 }
 
 /**

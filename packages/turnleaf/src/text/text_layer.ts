@@ -13,6 +13,7 @@ import type {
   PageSource,
   TextRun,
 } from "../sources/page_source.ts";
+import { columnAt } from "./columns.ts";
 import { boundsOf, cutBoxes, cutRuns } from "./cut_to_page.ts";
 import { NotePopover } from "./note_popover.ts";
 import { type FieldPlace, type FieldValues, makeFields } from "./page_fields.ts";
@@ -127,6 +128,15 @@ export class TextLayer {
   mark(shown: ShownHit | null): void {
     this.#shown = shown;
     if (!this.element.hidden) this.#place();
+  }
+
+  /** Returns the column of text at a place of an open page, as `columnAt` does; null if its text is not known. */
+  columnAt(
+    page: number,
+    at: { readonly x: number; readonly y: number },
+  ): ReturnType<typeof columnAt> {
+    const content = this.#contents.get(page);
+    return content ? columnAt(content.runs, content.size, at) : null;
   }
 
   /** Reads the open pages again after a change; what is played on one of them is heard first. */

@@ -56,6 +56,7 @@ const en: ElementTexts = {
     "Page {label} takes long to draw. It is still being drawn; the other pages can be read.",
   leaving: "This link leads out of the book, to {address}",
   leave: "Open it",
+  about: "about {n}",
 };
 
 /** Returns the element's own texts in a language. */
@@ -122,6 +123,18 @@ export function fill(text: string, values: Readonly<Record<string, string>>): st
 /** Returns a number as a language writes it; plainly if the tag is invalid. */
 export function number(tag: string, n: number): string {
   return attempt(() => new Intl.NumberFormat(tag).format(n)) ?? String(n);
+}
+
+/** A book's number of pages, and whether that is an estimate. */
+export interface CountedBook {
+  readonly pageCount: number;
+  readonly estimated: boolean;
+}
+
+/** Returns a book's number of pages as a language writes it, such as "about 300" while it is an estimate. */
+export function countOf(tag: string, { pageCount, estimated }: CountedBook): string {
+  const n = number(tag, pageCount);
+  return estimated ? fill(elementTexts(tag).about, { n }) : n;
 }
 
 /** Returns a ratio in percent as a language writes it, such as "150%". */

@@ -21,6 +21,8 @@ export interface ElementTexts {
   readonly notOpened: string;
   /** A page by its label. */
   readonly pageNamed: string;
+  /** A number of pages, `{n}`, that is an estimate. */
+  readonly about: string;
   /** In place of a page, by its label, that takes long to draw. */
   readonly slowPage: string;
   /** Before a link is followed out of the book: to `{address}`. */
@@ -48,6 +50,8 @@ export interface ControlTexts {
   readonly pageOf: string;
   /** The slider's place: the page's label, its number, the number of pages. */
   readonly place: string;
+  /** Turns back to the page, by its label, from which the reader has jumped. */
+  readonly backTo: string;
   readonly noSuchPage: string;
   readonly zoomIn: string;
   readonly zoomOut: string;

@@ -9,6 +9,7 @@ export const texts: Texts = {
   back: "Rückseite, {n} Seiten",
   notOpened: "Das Buch konnte nicht geöffnet werden; laden Sie die Seite neu.",
   pageNamed: "Seite {label}",
+  about: "etwa {n}",
   slowPage:
     "Seite {label} braucht lange. Sie wird noch gezeichnet; die anderen Seiten können gelesen werden.",
   leaving: "Dieser Link führt aus dem Buch hinaus, zu {address}",
@@ -27,6 +28,7 @@ export const texts: Texts = {
   of: "von {n}",
   pageOf: "{page} von {n}",
   place: "Seite {label}, {page} von {n}",
+  backTo: "Zurück zu Seite {label}",
   noSuchPage: "Es gibt keine Seite {label}",
   zoomIn: "Vergrößern",
   zoomOut: "Verkleinern",

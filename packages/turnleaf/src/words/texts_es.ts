@@ -9,6 +9,7 @@ export const texts: Texts = {
   back: "Contraportada, {n} páginas",
   notOpened: "No se pudo abrir el libro; vuelva a cargar la página.",
   pageNamed: "Página {label}",
+  about: "unas {n}",
   slowPage:
     "La página {label} tarda en dibujarse. Aún se está dibujando; se pueden leer las demás.",
   leaving: "Este enlace sale del libro, a {address}",
@@ -27,6 +28,7 @@ export const texts: Texts = {
   of: "de {n}",
   pageOf: "{page} de {n}",
   place: "Página {label}, {page} de {n}",
+  backTo: "Volver a la página {label}",
   noSuchPage: "No hay ninguna página {label}",
   zoomIn: "Ampliar",
   zoomOut: "Reducir",

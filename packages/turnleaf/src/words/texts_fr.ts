@@ -9,6 +9,7 @@ export const texts: Texts = {
   back: "Quatrième de couverture, {n} pages",
   notOpened: "Le livre n’a pas pu être ouvert ; rechargez la page.",
   pageNamed: "Page {label}",
+  about: "environ {n}",
   slowPage:
     "La page {label} est longue à dessiner. Elle est en cours ; les autres pages peuvent être lues.",
   leaving: "Ce lien mène hors du livre, à {address}",
@@ -27,6 +28,7 @@ export const texts: Texts = {
   of: "sur {n}",
   pageOf: "{page} sur {n}",
   place: "Page {label}, {page} sur {n}",
+  backTo: "Retour à la page {label}",
   noSuchPage: "Il n’y a pas de page {label}",
   zoomIn: "Agrandir",
   zoomOut: "Réduire",

@@ -41,8 +41,18 @@ test("a file that unpacks to more than its bound is rejected, whatever it claims
   expect(lying.size("bomb")).toBe(1000);
   // It ends where more comes than is claimed.
   expect(await messageOf(lying.read("bomb", 1 << 20))).toMatch(
-    /^bomb in bomb\.zip is damaged \(.*\.$/,
+    /^bomb in bomb\.zip is damaged[: ].*; repair it or get it again\.$/,
   );
+});
+
+test("what is wrong with a damaged file is said in plain words", async () => {
+  const whole = new Uint8Array(await zip({ a: "hello ".repeat(100), b: "x" }).arrayBuffer());
+  const said = (bytes: Uint8Array<ArrayBuffer>): Promise<string> =>
+    messageOf(openZip(new Blob([bytes]), "cut.zip"));
+  expect(await said(whole.slice(0, whole.length / 2))).toBe(
+    "cut.zip is damaged: its end is missing, as if it was not fetched whole; repair it or get it again.",
+  );
+  expect(await said(whole.slice(0, 10))).not.toMatch(/central|Error/);
 });
 
 test("too many files are rejected", async () => {

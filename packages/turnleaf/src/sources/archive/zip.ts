@@ -129,7 +129,24 @@ class ZipArchive implements Archive {
   }
 }
 
+/** What is wrong with a file, in plain words, by what zip.js says of it. */
+const reasons: readonly (readonly [RegExp, string])[] = [
+  [/^End of .*not found|data out of bounds/, "its end is missing, as if it was not fetched whole"],
+  [
+    /format is not recognized|header not found/,
+    "it is no ZIP file, or its list of files is damaged",
+  ],
+  [/^Split zip/, "it is one of several parts"],
+  [/Invalid|CRC/, "some of its bytes are wrong"],
+];
+
 function damaged(what: string, error: unknown): BookError {
+  const said = error instanceof Error ? error.message : "";
+  const reason = reasons.find(([found]) => found.test(said))?.[1];
+  if (reason !== undefined && !(error instanceof BookError)) {
+    const sentence = `${what} is damaged: ${reason}; repair it or get it again.`;
+    return new BookError(sentence, { code: "damaged", source: what, cause: error });
+  }
   return unknownFailure(`${what} is damaged`, error, "repair it or get it again", {
     code: "damaged",
     source: what,

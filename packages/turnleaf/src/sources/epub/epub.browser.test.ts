@@ -22,7 +22,7 @@ async function open(epub: TinyEpub): Promise<PageSource> {
 /** Returns a source all of whose pages are known. */
 async function laidOut(epub: TinyEpub): Promise<PageSource> {
   const source = await open(epub);
-  await new Promise<NewIndex>((resolve) => source.watchPages?.((change) => resolve(change())));
+  await source.settle?.();
   return source;
 }
 

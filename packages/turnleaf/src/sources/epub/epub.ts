@@ -28,6 +28,7 @@ import type {
   FlowTarget,
 } from "../typeset/flow_book.ts";
 import { FlowSource } from "../typeset/flow_source.ts";
+import { linesIn } from "../typeset/page_estimate.ts";
 import { isRightToLeft } from "../typeset/writing_direction.ts";
 import { warningOf } from "../warnings.ts";
 import { loadChapter, sizeIn } from "./chapter.ts";
@@ -184,7 +185,9 @@ async function readEpub(archive: Archive, file: Blob, name: string): Promise<Flo
     };
     const roll = rolls[index];
     const where = { ...(side ? { side } : {}), ...(roll === undefined ? {} : { roll }) };
-    return { length: archive.size(href), isFixed, load, ...where };
+    const lines = async (): Promise<number> =>
+      /^image\/(?!svg)/.test(chapter.mediaType) ? 0 : linesIn(await plain.text(href));
+    return { length: archive.size(href), isFixed, lines, load, ...where };
   });
   const indices = new Map<string, number>();
   // A chapter that comes twice is the first one for links.

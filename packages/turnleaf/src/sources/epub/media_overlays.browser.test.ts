@@ -1,6 +1,6 @@
 import { afterEach, describe, expect, test } from "vitest";
 import { openSource } from "../open.ts";
-import type { Narration, NewIndex, PageSource } from "../page_source.ts";
+import type { Narration, PageSource } from "../page_source.ts";
 import { secondsOf } from "./media_overlays.ts";
 import { prose, type TinyEpub, tinyEpub } from "./tiny_epub.ts";
 
@@ -34,7 +34,7 @@ const overlaid = (overlay: string, body: string, more: Partial<TinyEpub> = {}): 
 async function open(epub: TinyEpub): Promise<PageSource & { narration: Narration }> {
   const source = await openSource(tinyEpub(epub));
   opened.push(source);
-  await new Promise<NewIndex>((resolve) => source.watchPages?.((change) => resolve(change())));
+  await source.settle?.();
   if (!source.narration) throw new Error("Nothing is read aloud.");
   return source as PageSource & { narration: Narration };
 }

@@ -3,7 +3,7 @@
 import { expect, test } from "vitest";
 import { expectConformance } from "../../for_tests/source_conformance.ts";
 import { openSource } from "../open.ts";
-import type { NewIndex, PageSource } from "../page_source.ts";
+import type { PageSource } from "../page_source.ts";
 import { prose, type TinyEpub, tinyEpub } from "./tiny_epub.ts";
 
 const never = new AbortController().signal;
@@ -11,7 +11,7 @@ const never = new AbortController().signal;
 /** Returns a source all of whose pages are known. */
 async function laidOut(epub: TinyEpub): Promise<PageSource> {
   const source = await openSource(tinyEpub(epub));
-  await new Promise<NewIndex>((resolve) => source.watchPages?.((change) => resolve(change())));
+  await source.settle?.();
   return source;
 }
 

@@ -11,15 +11,15 @@ import { parseMarkup } from "../markup/parse_markup.ts";
 import { readMarkup } from "../markup/read_markup.ts";
 import { type BookDetail, BookError, type PageSource, type Typography } from "../page_source.ts";
 import { imageType, sniffLength } from "../sniff.ts";
-import {
-  type FlowBook,
-  type FlowContent,
-  type FlowOutline,
-  type FlowSection,
-  type FlowTarget,
-  leastLength,
+import type {
+  FlowBook,
+  FlowContent,
+  FlowOutline,
+  FlowSection,
+  FlowTarget,
 } from "../typeset/flow_book.ts";
 import { FlowSource } from "../typeset/flow_source.ts";
+import { linesIn } from "../typeset/page_estimate.ts";
 import { isRightToLeft } from "../typeset/writing_direction.ts";
 import { decodeXml } from "../xml_text.ts";
 
@@ -136,10 +136,10 @@ async function readFb2(text: string, file: Blob, name: string): Promise<FlowBook
   const files = filesOf(root);
   const language = cleanLanguage(childOf(info, "lang")?.textContent);
   const sections = parts.map((part): FlowSection => {
-    const length = part.nodes.reduce((sum, node) => sum + (node.textContent?.length ?? 0), 0);
     return {
-      length: Math.max(2 * length, leastLength),
+      length: part.nodes.reduce((sum, node) => sum + (node.textContent?.length ?? 0), 0),
       isFixed: false,
+      lines: async () => part.nodes.reduce((sum, node) => sum + linesIn(node.outerHTML), 0),
       load: () => load(part, files, name),
     };
   });

@@ -7,12 +7,8 @@ import { cleanMarkup, type MarkupFiles } from "../markup/clean_markup.ts";
 import { checkedData } from "../markup/data_address.ts";
 import { readMarkup } from "../markup/read_markup.ts";
 import type { PageSize } from "../page_source.ts";
-import {
-  type FlowContent,
-  type FlowSection,
-  type FlowTarget,
-  leastLength,
-} from "../typeset/flow_book.ts";
+import type { FlowContent, FlowSection, FlowTarget } from "../typeset/flow_book.ts";
+import { linesIn } from "../typeset/page_estimate.ts";
 import { mark } from "./kindle_header.ts";
 import { type KindleParts, type KindleText, outlineOf } from "./kindle_text.ts";
 import { damaged } from "./palm_database.ts";
@@ -131,8 +127,9 @@ export async function openKf8(book: KindleParts): Promise<KindleText> {
   const sections = skeletons.map((skeleton): FlowSection => {
     const length = skeleton.fragments.reduce((sum, one) => sum + one.length, skeleton.length);
     return {
-      length: Math.max(length, leastLength),
+      length,
       isFixed: size !== null,
+      lines: async () => linesIn(decoder.decode(assembled(text, skeleton, name))),
       load: () => load(skeleton),
     };
   });

@@ -9,9 +9,9 @@ import {
   type FlowOutline,
   type FlowSection,
   type FlowTarget,
-  leastLength,
   styleAttribute,
 } from "../typeset/flow_book.ts";
+import { linesIn } from "../typeset/page_estimate.ts";
 import { type KindleParts, type KindleText, outlineOf, plainText } from "./kindle_text.ts";
 
 /** Where one section ends and the next begins. */
@@ -82,14 +82,16 @@ export async function openMobi6(book: KindleParts): Promise<KindleText> {
   };
   const sections = parts.map((part): FlowSection => {
     return {
-      length: Math.max(part.to - part.from, leastLength),
+      length: part.to - part.from,
       isFixed: false,
+      lines: async () => linesIn(decoder.decode(text.subarray(part.from, part.to))),
       load: () => load(part),
     };
   });
   const cover: FlowSection = {
-    length: leastLength,
+    length: 0,
     isFixed: false,
+    lines: async () => 0,
     load: async () => {
       const markup = `<html><body><p align="center"><img src="recindex:${(header.cover ?? 0) + 1}" alt=""></p></body></html>`;
       const document = parseMarkup(markup, "text/html");

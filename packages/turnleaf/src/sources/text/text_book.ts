@@ -10,6 +10,7 @@ import { parseMarkup } from "../markup/parse_markup.ts";
 import type { PageSource, Typography } from "../page_source.ts";
 import type { FlowBook, FlowContent, FlowOutline, FlowSection } from "../typeset/flow_book.ts";
 import { FlowSource } from "../typeset/flow_source.ts";
+import { linesIn } from "../typeset/page_estimate.ts";
 import { Footnotes, idsOf, listOf } from "./footnotes.ts";
 import { htmlOf, readMarkdown } from "./markdown.ts";
 
@@ -90,7 +91,7 @@ function sectionOf({ html }: Chapter, name: string): FlowSection {
     const content = await cleanMarkup(document, files, name);
     return { root: content.root, styles: [style, ...content.styles] };
   };
-  return { length: html.length, isFixed: false, load };
+  return { length: html.length, isFixed: false, lines: async () => linesIn(html), load };
 }
 
 /** Splits plain text where paragraphs end; lines that are indented stay as they are. */

@@ -1,17 +1,25 @@
 import { unknownFailure } from "../failures.ts";
 import type { Typography } from "../page_source.ts";
 import { SharedTasks } from "../shared_tasks.ts";
+import { divide } from "./divide.ts";
 import type { FlowBook } from "./flow_book.ts";
 import type { FlowWarnings } from "./flow_warnings.ts";
 import { LaidChapter } from "./laid_chapter.ts";
-import type { SectionMap } from "./laid_section.ts";
+import { LaidSection, type SectionMap } from "./laid_section.ts";
+import {
+  estimatePages,
+  type LaidSample,
+  linesIn,
+  middleSection,
+  type SectionLengths,
+} from "./page_estimate.ts";
 import type { SectionContents } from "./section_contents.ts";
 
 /** Frames kept, so that neighbouring pages are drawn without laying out again. */
 const keptFrames = 4;
 
-/** Bytes a page, before any section has been laid out. */
-const usualBytes = 3000;
+/** Editions so far, of all books. */
+let made = 0;
 
 /** A book set in one typography: its sections are laid out one by one, when they are needed. */
 export class Edition {
@@ -19,6 +27,7 @@ export class Edition {
   readonly #book: FlowBook;
   readonly #contents: SectionContents;
   readonly #warnings: FlowWarnings;
+  readonly #lengths: SectionLengths;
   readonly #maps = new Map<number, SectionMap>();
   /** Sections in their frames, the last used one last. */
   #frames = new Map<number, LaidChapter>();
@@ -26,23 +35,27 @@ export class Edition {
   /** One section is laid out at a time. */
   #last: Promise<unknown> = Promise.resolve();
   #isClosed = false;
+  readonly #number = made++;
+  #sample: LaidSample | null = null;
+  /** Whether every section has been laid out once, or cannot be. */
+  isCounted = false;
 
-  /** @param contents,warnings of the book's sections, for all its editions */
+  /**
+   * @param contents,warnings of the book's sections, for all its editions
+   * @param lengths of the sections, likewise
+   */
   constructor(
     book: FlowBook,
     contents: SectionContents,
     warnings: FlowWarnings,
+    lengths: SectionLengths,
     typography: Typography,
   ) {
     this.#book = book;
     this.#contents = contents;
     this.#warnings = warnings;
+    this.#lengths = lengths;
     this.typography = typography;
-  }
-
-  /** Whether every section has been laid out once. */
-  get isComplete(): boolean {
-    return this.#maps.size === this.#book.sections.length;
   }
 
   /** Returns what is known of a section; undefined before it has been laid out. */
@@ -50,20 +63,30 @@ export class Edition {
     return this.#maps.get(section);
   }
 
+  /** Returns what identifies a page of a section, as it is set here, among all pages. */
+  keyOf(section: number, page: number): string {
+    return `${this.#number}:${section}:${page}`;
+  }
+
   /** Returns each section's number of pages, known or estimated. */
   counts(): number[] {
-    let [bytes, pages] = [0, 0];
     const { sections } = this.#book;
-    for (const [section, map] of this.#maps) {
-      if (sections[section]?.isFixed) continue;
-      bytes += sections[section]?.length ?? 0;
-      pages += map.pageCount;
-    }
-    const perPage = pages > 0 && bytes > 0 ? bytes / pages : usualBytes;
-    return sections.map(({ length, isFixed }, section) => {
-      const known = this.#maps.get(section)?.pageCount;
-      return known ?? (isFixed ? 1 : Math.max(1, Math.round(length / perPage)));
-    });
+    const known = sections.map((_, section) => this.#maps.get(section));
+    return estimatePages(sections, this.#lengths.lines(), known, this.typography, this.#sample);
+  }
+
+  /** Lays out a piece of the text, from which the numbers of pages can be estimated. Rejects as `lay` does. */
+  async sample(): Promise<void> {
+    const { sections } = this.#book;
+    const section = middleSection(sections, this.#lengths.lines());
+    if (section === undefined || this.#maps.has(section)) return;
+    const content = await this.#contents.load(section, false);
+    const isScrolled = sections[section]?.roll !== undefined;
+    const pieces = isScrolled ? [content.root] : divide(content.root);
+    const root = pieces[pieces.length >> 1] as Element;
+    const laid = await LaidSection.lay({ ...content, root }, this.typography, isScrolled);
+    this.#sample = { lines: linesIn(root.outerHTML), extent: laid.map.extent };
+    laid.close();
   }
 
   /** Returns a section in its frame. Rejects with a `BookError`, or with the signal's reason. */

@@ -7,8 +7,10 @@ import type { BookDetail, BookWarning, BookWarningCode, PageSize } from "../page
 
 /** A part of a book that begins on a page of its own: a chapter, or a page of fixed layout. */
 export interface FlowSection {
-  /** Its length in bytes, from which its pages are estimated before it is laid out. */
+  /** Its length in bytes, from which its pages are estimated before it is read. */
   readonly length: number;
+  /** Resolves to about how many lines of print it has, as `linesIn` counts them. Rejects if it cannot be read. */
+  lines(): Promise<number>;
   /** Whether it is one page whose layout is fixed. */
   readonly isFixed: boolean;
   /** The side of a spread on which it has to begin, or whether it is to be shown by itself, if any. */
@@ -18,9 +20,6 @@ export interface FlowSection {
   /** Returns what is in it. Rejects with a `BookError`. */
   load(): Promise<FlowContent>;
 }
-
-/** Bytes that a section counts at least: a cover of hardly any text fills a page all the same. */
-export const leastLength = 3000;
 
 /**
  * The attribute that has an element's own style, in place of `style`: a page's

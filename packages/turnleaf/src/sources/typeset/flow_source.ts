@@ -12,9 +12,11 @@ import {
   type PagePicture,
   type PageSize,
   type PageSource,
+  type TextPage,
   type TextRun,
   type Typography,
 } from "../page_source.ts";
+import { orAborted } from "../shared_tasks.ts";
 import { drawMarkup } from "./draw_markup.ts";
 import { Edition } from "./edition.ts";
 import type { FlowBook, FlowOutline, FlowTarget } from "./flow_book.ts";
@@ -22,15 +24,18 @@ import { FlowWarnings } from "./flow_warnings.ts";
 import { idle } from "./idle.ts";
 import type { LaidChapter } from "./laid_chapter.ts";
 import { Narrator } from "./narrator.ts";
-import { PageNumbers } from "./page_numbers.ts";
+import { SectionLengths } from "./page_estimate.ts";
+import { PageNumbers, type SectionPage } from "./page_numbers.ts";
 import { SectionContents } from "./section_contents.ts";
+import {
+  anchorOf,
+  pageAtFraction,
+  pageOfPlace,
+  placeOfAnchor,
+  placeOfPage,
+  type TextPlace,
+} from "./text_place.ts";
 import { ownTypography, paperback, paperOf } from "./typography.ts";
-
-/** A place in the text: a section, and characters before it there. */
-interface Place {
-  readonly section: number;
-  readonly offset: number;
-}
 
 /** Sections about the reader's place: those of two open pages, and one beside them. */
 const nearSections = 3;
@@ -38,8 +43,19 @@ const nearSections = 3;
 /** Milliseconds after which a section is laid out for its number of pages, even where there is no rest. */
 const longestWait = 300;
 
+/** The fraction by which the shown number of pages may be off before it is corrected while pages are counted. */
+const mostOff = 0.05;
+
 /** Sections that the links of one page may have laid out, to find where they lead. */
 const mostTargets = 4;
+
+/** The lengths of a book's sections, which are being read. */
+interface ReadLengths {
+  readonly lengths: SectionLengths;
+  readonly reading: Promise<void>;
+  /** Ends the reading, and the book. */
+  readonly ended: AbortController;
+}
 
 /**
  * A book of flowing text, set into pages. Sections are laid out when they are
@@ -57,40 +73,56 @@ export class FlowSource implements PageSource {
   /** Sets the book in another typography; absent if all its pages are of fixed layout. */
   readonly typeset?: (typography: Typography) => Promise<void>;
   readonly narration?: Narrator;
+  /** Resolves once the number of pages is estimated by all of the book's text, and by a part of it that is laid out. */
+  readonly estimated: Promise<void>;
   /** Absent if all pages are turned. */
   readonly roll?: (index: number) => number | null;
   readonly #book: FlowBook;
   readonly #contents: SectionContents;
   readonly #warnings: FlowWarnings;
+  readonly #lengths: SectionLengths;
   #edition: Edition;
   /** Another edition, whose pages are to replace these. */
   #next: Edition | null = null;
   #numbers: PageNumbers;
   /** The places of readers on pages that are not those where these begin. */
-  #places = new Map<number, Place>();
+  #places = new Map<number, TextPlace>();
+  /**
+   * Of sections that are laid out while their numbers are still estimates: how many pages farther on
+   * a page is than its number says.
+   */
+  #shifts = new Map<number, number>();
+  /** The place that keeps its side of a spread, whatever is counted before it. */
+  #sided: { readonly place: TextPlace; readonly side: "first" | "second" } | null = null;
+  /** Resolves once all pages of the last edition are counted. */
+  #counting: Promise<void>;
   #listener: ((change: () => NewIndex) => void) | null = null;
   #isDue = false;
   #onDrawing: ((index: number) => void) | null = null;
   /** The sections that were drawn last, the last one first. */
   #recent: readonly number[] = [0];
-  #isClosed = false;
+  readonly #ended: AbortController;
 
   /** Returns a book's pages. Rejects with a `BookError` if its only section cannot be laid out. */
   static async open(book: FlowBook, typography: Typography = ownTypography): Promise<FlowSource> {
     const contents = new SectionContents(book);
     const warnings = new FlowWarnings(book);
-    const edition = new Edition(book, contents, warnings, typography);
+    const lengths = new SectionLengths(book.sections);
+    const edition = new Edition(book, contents, warnings, lengths, typography);
+    const ended = new AbortController();
+    const reading = lengths.read(ended.signal);
     try {
       await edition.lay(0);
     } catch (error) {
       // A first section among others says so on its page.
       if (book.sections.length === 1) {
+        ended.abort();
         edition.close();
         book.close();
         throw error;
       }
     }
-    return new FlowSource(book, contents, warnings, edition);
+    return new FlowSource(book, contents, warnings, edition, { lengths, reading, ended });
   }
 
   private constructor(
@@ -98,6 +130,7 @@ export class FlowSource implements PageSource {
     contents: SectionContents,
     warnings: FlowWarnings,
     edition: Edition,
+    { lengths, reading, ended }: ReadLengths,
   ) {
     this.title = book.title;
     this.titleDirection = book.titleDirection ?? "auto";
@@ -108,6 +141,8 @@ export class FlowSource implements PageSource {
     this.#book = book;
     this.#contents = contents;
     this.#warnings = warnings;
+    this.#lengths = lengths;
+    this.#ended = ended;
     this.#edition = edition;
     this.#numbers = this.#numbersOf(edition);
     if (book.sections.some(({ isFixed }) => !isFixed)) {
@@ -119,12 +154,13 @@ export class FlowSource implements PageSource {
     if (book.narration) {
       this.narration = new Narrator(book.narration, {
         at: (index) => this.#at(index),
-        indexOf: (section, page) => this.#numbers.indexOf(section, page),
+        indexOf: (section, page) => this.#indexOf(section, page),
         lay: (section, signal) => this.#lay(section, signal),
         redraw: (section, pages) => this.#redraw(section, pages),
       });
     }
-    this.#layRest(edition);
+    this.estimated = reading.then(() => this.#sample(edition));
+    this.#counting = this.#layRest(edition);
   }
 
   get pageCount(): number {
@@ -139,6 +175,10 @@ export class FlowSource implements PageSource {
     this.#warnings.watch(listener);
   }
 
+  get isEstimated(): boolean {
+    return this.#numbers.isEstimated;
+  }
+
   async size(index: number, signal?: AbortSignal): Promise<PageSize> {
     const { section } = this.#at(index);
     const { isFixed, roll } = this.#book.sections[section] ?? {};
@@ -150,7 +190,8 @@ export class FlowSource implements PageSource {
     const { section, page } = this.#numbers.at(index);
     const { side, roll } = this.#book.sections[section] ?? {};
     if (roll !== undefined) return "single";
-    if (side === undefined || page > 0) return undefined;
+    if (page > 0) return undefined;
+    if (side === undefined) return this.#sideOf(section);
     if (side === "center") return "single";
     return (side === "left") === (this.direction === "ltr") ? "first" : "second";
   }
@@ -166,15 +207,15 @@ export class FlowSource implements PageSource {
     region: PageBox = wholePage,
   ): Promise<PagePicture> {
     signal.throwIfAborted();
-    const { section, page } = this.#at(index);
+    const { section } = this.#at(index);
     const others = this.#recent.filter((other) => other !== section);
     this.#recent = [section, ...others].slice(0, nearSections);
-    const laid = await this.#lay(section, signal);
+    const { laid, page } = await this.#layPage(index, signal);
     if (this.#isClosed) throw this.#closed();
     laid.mark(this.narration?.markIn(section) ?? null);
     const size = laid.layoutSize;
     // Its pages were estimated.
-    const isBlank = page >= laid.map.pageCount;
+    const isBlank = page < 0 || page >= laid.map.pageCount;
     const svg = isBlank ? blank(size, paperOf(this.#edition.typography)) : await laid.svg(page);
     const picture = await drawMarkup(svg, size, region, width).catch(async (error: unknown) => {
       const isAllowed = await drawMarkup(blank(size, "#fff"), size, wholePage, 1).then(
@@ -199,20 +240,58 @@ export class FlowSource implements PageSource {
   }
 
   async text(index: number, signal: AbortSignal, exact = false): Promise<readonly TextRun[]> {
-    const { section, page } = this.#at(index);
-    const laid = await this.#lay(section, signal);
+    const { laid, page } = await this.#layPage(index, signal);
     return laid.runs(page, exact);
   }
 
+  async *textPages(signal: AbortSignal): AsyncGenerator<TextPage> {
+    for (const section of this.#book.sections.keys()) {
+      let place: TextPlace = { section, fraction: 0 };
+      // Set anew meanwhile, the section goes on where it was.
+      for (let edition: Edition | null = null; edition !== this.#edition; ) {
+        edition = this.#edition;
+        // One that cannot be laid out has no text.
+        await orAborted(
+          edition.measure(section).catch(() => {}),
+          signal,
+        );
+        if (this.#isClosed) throw this.#closed();
+        const map = edition.mapOf(section);
+        if (map === undefined) continue;
+        for (let page = pageOfPlace(place, map); page < map.pageCount; page++) {
+          if (edition !== this.#edition) break;
+          place = placeOfPage(section, page, map);
+          yield this.#textPage(edition, place, page);
+        }
+      }
+    }
+  }
+
+  /** Returns a page of a section as an edition has it. */
+  #textPage(edition: Edition, place: TextPlace, page: number): TextPage {
+    const { section } = place;
+    return {
+      key: edition.keyOf(section, page),
+      index: () => this.#indexOfPlace(place),
+      text: async (signal) => {
+        const laid = await this.#lay(section, signal);
+        return await laid.runs(
+          edition === this.#edition ? page : pageOfPlace(place, laid.map),
+          false,
+        );
+      },
+    };
+  }
+
   async alt(index: number, signal: AbortSignal): Promise<string> {
-    const { section, page } = this.#at(index);
-    const laid = await this.#lay(section, signal);
+    const { laid, page } = await this.#layPage(index, signal);
     return laid.alt(page);
   }
 
   async links(index: number, signal: AbortSignal): Promise<readonly PageLink[]> {
-    const { section, page } = this.#at(index);
-    const found = await (await this.#lay(section, signal)).links(page);
+    const { section } = this.#at(index);
+    const { laid: chapter, page } = await this.#layPage(index, signal);
+    const found = await chapter.links(page);
     const links: PageLink[] = [];
     const laid = new Set([section]);
     for (const { href, isNote, ...link } of found) {
@@ -237,8 +316,9 @@ export class FlowSource implements PageSource {
   }
 
   async media(index: number, signal: AbortSignal): Promise<readonly PageMedium[]> {
-    const { section, page } = this.#at(index);
-    const found = await (await this.#lay(section, signal)).media(page);
+    const { section } = this.#at(index);
+    const { laid, page } = await this.#layPage(index, signal);
+    const found = await laid.media(page);
     const read = this.#book.medium?.bind(this.#book);
     if (!read) return [];
     return found.map(({ address, ...medium }) => ({
@@ -265,28 +345,38 @@ export class FlowSource implements PageSource {
   }
 
   anchor(index: number): string {
-    const { section, page } = this.#at(index);
-    const starts = this.#edition.mapOf(section)?.starts;
-    const offset = this.#places.get(index)?.offset ?? starts?.[page] ?? 0;
-    return `${section}:${offset}`;
+    return anchorOf(this.#placeOn(index));
   }
 
   async findAnchors(anchors: readonly string[]): Promise<readonly (number | null)[]> {
-    const edition = this.#next ?? this.#edition;
-    const places = anchors.map(placeAt);
+    const edition = (this.#listener === null && this.#next) || this.#edition;
+    const places = anchors.map((anchor) => {
+      const place = placeOfAnchor(anchor);
+      return place !== null && place.section < this.#book.sections.length ? place : null;
+    });
     for (const place of places) {
       // A section that cannot be laid out says so on its page.
-      if (place && place.section < this.#book.sections.length) {
-        await edition.measure(place.section).catch(() => {});
-      }
+      if (place) await edition.measure(place.section).catch(() => {});
     }
     if (this.#isClosed) throw this.#closed();
     if (this.#listener === null) this.#change();
-    return places.map((place) => {
-      if (!place || place.section >= this.#book.sections.length) return null;
-      const starts = this.#edition.mapOf(place.section)?.starts ?? [];
-      return this.#numbers.indexOf(place.section, pageAt(starts, place.offset));
-    });
+    else if (places.some((place) => place && !this.#numbers.isKnown(place.section)))
+      this.#announce();
+    return places.map((place) => place && this.#indexOfPlace(place));
+  }
+
+  keepSide(index: number, side: "first" | "second"): void {
+    this.#sided = { place: this.#placeOn(index), side };
+  }
+
+  async settle(signal?: AbortSignal): Promise<void> {
+    let counted: Promise<void>;
+    do {
+      counted = this.#counting;
+      await (signal ? orAborted(counted, signal) : counted);
+      if (this.#isClosed) throw this.#closed();
+      if (this.#listener === null && this.#isDue) this.#change();
+    } while (counted !== this.#counting);
   }
 
   watchPages(listener: (change: () => NewIndex) => void): void {
@@ -300,14 +390,18 @@ export class FlowSource implements PageSource {
 
   close(): void {
     if (this.#isClosed) return;
-    this.#isClosed = true;
+    this.#ended.abort();
     this.#edition.close();
     this.#next?.close();
     this.#book.close();
   }
 
+  get #isClosed(): boolean {
+    return this.#ended.signal.aborted;
+  }
+
   /** Returns which page a page is. */
-  #at(index: number): { readonly section: number; readonly page: number } {
+  #at(index: number): SectionPage {
     if (this.#isClosed) throw this.#closed();
     if (!(index >= 0 && index < this.pageCount)) {
       throw new BookError(`${this.#book.name} has no page ${index + 1}; turn to another.`, {
@@ -315,7 +409,69 @@ export class FlowSource implements PageSource {
         source: this.#book.name,
       });
     }
-    return this.#numbers.at(index);
+    return this.#show(this.#numbers.at(index));
+  }
+
+  /**
+   * Returns the page that is shown as one of a section, whose number may still be an estimate: it is as
+   * far through the section as that says.
+   */
+  #shown({ section, page }: SectionPage): SectionPage {
+    const map = this.#edition.mapOf(section);
+    if (map === undefined || this.#numbers.isKnown(section)) return { section, page };
+    const shift = this.#shifts.get(section);
+    if (shift !== undefined) return { section, page: page + shift };
+    const fraction = page / this.#numbers.countOf(section);
+    return { section, page: pageAtFraction(fraction, map.pageCount) };
+  }
+
+  /** As `#shown`; from now on the pages beside it follow it. */
+  #show(numbered: SectionPage): SectionPage {
+    const shown = this.#shown(numbered);
+    const { section } = shown;
+    // While it is not laid out, nothing of it is shown.
+    const isEstimate =
+      this.#edition.mapOf(section) !== undefined && !this.#numbers.isKnown(section);
+    if (isEstimate) this.#shifts.set(section, shown.page - numbered.page);
+    return shown;
+  }
+
+  /** Returns the index under which a page of a section is shown. */
+  #indexOf(section: number, page: number): number {
+    return this.#numbers.indexOf(section, page - (this.#shifts.get(section) ?? 0));
+  }
+
+  /** Returns the index of the page on which a place lies. */
+  #indexOfPlace(place: TextPlace): number {
+    const { section } = place;
+    const map = this.#edition.mapOf(section);
+    const count = this.#numbers.countOf(section);
+    if (map === undefined) {
+      return this.#numbers.indexOf(section, pageAtFraction(place.fraction ?? 0, count));
+    }
+    const page = pageOfPlace(place, map);
+    if (!this.#numbers.isKnown(section) && !this.#shifts.has(section)) {
+      this.#shifts.set(section, page - pageAtFraction(page / map.pageCount, count));
+    }
+    return this.#indexOf(section, page);
+  }
+
+  /** Returns the place with which a page begins. */
+  #placeOn(index: number): TextPlace {
+    const kept = this.#places.get(index);
+    if (kept) return kept;
+    const { section, page } = this.#shown(this.#numbers.at(index));
+    const map = this.#edition.mapOf(section);
+    if (map === undefined) return { section, fraction: page / this.#numbers.countOf(section) };
+    return placeOfPage(section, Math.min(Math.max(page, 0), map.pageCount - 1), map);
+  }
+
+  /** Returns the side on which a section has to begin so that the place that keeps its side does. */
+  #sideOf(section: number): "first" | "second" | undefined {
+    if (this.#sided?.place.section !== section || section === 0) return undefined;
+    const { place, side } = this.#sided;
+    const page = this.#indexOfPlace(place) - this.#numbers.indexOf(section, 0);
+    return (page % 2 === 0) === (side === "first") ? "first" : "second";
   }
 
   #closed(): BookError {
@@ -325,29 +481,57 @@ export class FlowSource implements PageSource {
     });
   }
 
+  /** Lays out the section of a page (from 0), and returns which of its pages that is. */
+  async #layPage(
+    index: number,
+    signal: AbortSignal,
+  ): Promise<{ readonly laid: LaidChapter; readonly page: number }> {
+    const numbers = this.#numbers;
+    this.#at(index);
+    const numbered = numbers.at(index);
+    const { section } = numbered;
+    const laid = await this.#laid(section, signal);
+    const isEstimate = !numbers.isKnown(section);
+    // It may have been counted since.
+    const page =
+      numbers !== this.#numbers && isEstimate
+        ? pageAtFraction(numbered.page / numbers.countOf(section), laid.map.pageCount)
+        : this.#show(numbered).page;
+    // Now that it is known what is shown under the number.
+    this.#checkCount(section, laid);
+    return { laid, page };
+  }
+
   async #lay(section: number, signal: AbortSignal): Promise<LaidChapter> {
-    const edition = this.#edition;
+    const laid = await this.#laid(section, signal);
+    this.#checkCount(section, laid);
+    return laid;
+  }
+
+  async #laid(section: number, signal: AbortSignal): Promise<LaidChapter> {
     try {
-      const laid = await edition.lay(section, signal);
-      // Its pages were estimated.
-      if (laid.map.pageCount !== this.#numbers.countOf(section)) this.#announce();
-      return laid;
+      return await this.#edition.lay(section, signal);
     } catch (error) {
       signal.throwIfAborted();
       throw this.#isClosed ? this.#closed() : error;
     }
   }
 
+  /** Corrects the number of a section's pages if it was estimated otherwise. */
+  #checkCount(section: number, { map }: LaidChapter): void {
+    if (map.pageCount !== this.#numbers.countOf(section)) this.#announce();
+  }
+
   /** Reports that pages of a section look otherwise; all of them if `pages` is null. */
   #redraw(section: number, pages: readonly number[] | null): void {
     const count = this.#numbers.countOf(section);
     for (const page of pages ?? Array.from({ length: count }, (_, k) => k)) {
-      this.#onDrawing?.(this.#numbers.indexOf(section, page));
+      this.#onDrawing?.(this.#indexOf(section, page));
     }
   }
 
   async #typeset(typography: Typography): Promise<void> {
-    const next = new Edition(this.#book, this.#contents, this.#warnings, typography);
+    const next = new Edition(this.#book, this.#contents, this.#warnings, this.#lengths, typography);
     this.#next?.close();
     this.#next = next;
     try {
@@ -361,17 +545,41 @@ export class FlowSource implements PageSource {
     if (this.#next === next) this.#announce();
   }
 
-  /** Lays out every section once, so that all pages are known; then changes to them. */
+  /** Lays out every section once, those about the reader first, so that all pages are known; then changes to them. */
   async #layRest(edition: Edition): Promise<void> {
     const isCurrent = (): boolean => !this.#isClosed && edition === (this.#next ?? this.#edition);
-    for (let section = 0; section < this.#book.sections.length; section++) {
+    const rest = new Set(this.#book.sections.keys());
+    while (rest.size > 0) {
       // What the reader sees goes first.
       await idle(longestWait);
       if (!isCurrent()) return;
+      const [here = 0] = this.#recent;
+      const distance = (section: number): number => Math.abs(section - here);
+      const section = [...rest].reduce((a, b) => (distance(b) < distance(a) ? b : a));
+      rest.delete(section);
       // A section that cannot be laid out says so on its page.
       await edition.measure(section).catch(() => {});
+      if (isCurrent() && rest.size > 0) this.#correct();
     }
-    if (isCurrent()) this.#announce();
+    if (!isCurrent()) return;
+    edition.isCounted = true;
+    this.#announce();
+  }
+
+  /** Lays out a part of the book by which the rest is estimated. */
+  async #sample(edition: Edition): Promise<void> {
+    if (this.#isClosed || edition !== this.#edition) return;
+    // One that cannot be laid out says so on its page.
+    await edition.sample().catch(() => {});
+    this.#correct();
+  }
+
+  /** Corrects an estimate of the number of pages that has turned out to be clearly wrong. */
+  #correct(): void {
+    if (this.#isClosed || this.#next) return;
+    const { pageCount } = this.#numbers;
+    const off = Math.abs(this.#numbersOf(this.#edition).pageCount - pageCount);
+    if (off > mostOff * pageCount) this.#announce();
   }
 
   #announce(): void {
@@ -382,52 +590,42 @@ export class FlowSource implements PageSource {
 
   /** Counts the pages anew: of another edition, or by what is known of this one. */
   #change(): NewIndex {
-    const [before, numbers, places] = [this.#edition, this.#numbers, this.#places];
+    const [before, numbers] = [this.#edition, this.#numbers];
+    this.#isDue = false;
+    const places = Array.from({ length: numbers.pageCount }, (_, index) => this.#placeOn(index));
+    const shifts = this.#shifts;
     const next = this.#next;
     if (next) {
       this.#edition = next;
       this.#next = null;
       before.close();
-      this.#layRest(next);
+      this.#counting = this.#layRest(next);
     }
     const after = this.#edition;
     const now = this.#numbersOf(after);
     this.#numbers = now;
+    this.#shifts = new Map();
     this.narration?.forgetPages();
-    const placeOn = (index: number): Place => {
-      const { section, page } = numbers.at(index);
-      const offset = before.mapOf(section)?.starts[page] ?? 0;
-      return places.get(index) ?? { section, offset };
-    };
-    const placeOf = (index: number): number => {
-      const { section, offset } = placeOn(index);
-      const starts = after.mapOf(section)?.starts;
-      if (starts && (places.has(index) || before.mapOf(section))) {
-        const { page } = numbers.at(index);
-        const isSame = after === before && !places.has(index);
-        return now.indexOf(section, isSame ? page : pageAt(starts, offset));
-      }
-      // Of a section that was never laid out a fraction is all that is known.
-      const fraction = numbers.at(index).page / numbers.countOf(section);
-      return now.indexOf(section, Math.floor(fraction * now.countOf(section)));
-    };
+    const placeOf = (index: number): number => this.#indexOfPlace(places[index] as TextPlace);
     this.#places = new Map();
-    for (let index = 0; index < numbers.pageCount; index++) {
-      const place = placeOn(index);
+    for (const [index, place] of places.entries()) {
+      if (place.offset === undefined) continue;
       const to = placeOf(index);
-      const isKnown = places.has(index) || before.mapOf(place.section) !== undefined;
-      if (isKnown && !this.#places.has(to)) this.#places.set(to, place);
+      if (!this.#places.has(to)) this.#places.set(to, place);
     }
     const sameIndex = (index: number): number | null => {
-      const { section, page } = numbers.at(index);
-      const isSame = after === before && page < now.countOf(section);
+      const numbered = numbers.at(index);
+      const { section } = numbered;
+      const page = numbered.page + (numbers.isKnown(section) ? 0 : (shifts.get(section) ?? 0));
+      const isSame = after === before && page >= 0 && page < now.countOf(section);
       return isSame ? now.indexOf(section, page) : null;
     };
     return Object.assign(sameIndex, { placeOf });
   }
 
   #numbersOf(edition: Edition): PageNumbers {
-    return new PageNumbers(edition.counts());
+    const known = this.#book.sections.map((_, section) => edition.mapOf(section) !== undefined);
+    return new PageNumbers(edition.counts(), known, !edition.isCounted);
   }
 
   /**
@@ -436,23 +634,10 @@ export class FlowSource implements PageSource {
    */
   #placeOf({ section, id }: FlowTarget): { page: number; top?: number } {
     const map = this.#edition.mapOf(section);
-    const page = this.#numbers.indexOf(section, map?.ids.get(id) ?? 0) + 1;
+    const page = this.#indexOf(section, map?.ids.get(id) ?? 0) + 1;
     const top = map?.tops.get(id);
     return top === undefined ? { page } : { page, top };
   }
-}
-
-/** Returns the place of an anchor; null if it is none. */
-function placeAt(anchor: string): Place | null {
-  const [, section, offset] = /^(\d{1,5}):(\d{1,9})$/.exec(anchor) ?? [];
-  return section && offset ? { section: Number(section), offset: Number(offset) } : null;
-}
-
-function pageAt(starts: readonly number[], offset: number): number {
-  return Math.max(
-    starts.findLastIndex((start) => start <= offset),
-    0,
-  );
 }
 
 function blank({ width, height }: PageSize, paper: string): string {

@@ -212,8 +212,10 @@ function joined(pieces: readonly Piece[]): SectionMap {
     length += map.length;
   }
   const tops = new Map<string, number>();
+  const last = pieces.at(-1) as Piece;
   return {
     ...{ pageCount: starts.length, starts, length, ids, tops, size: (one as Piece).map.size },
+    extent: last.first + last.map.extent,
     lost: onPages(({ lost }) => lost),
     noteLinks: onPages(({ noteLinks }) => noteLinks),
     blankIds: new Set(pieces.flatMap(({ map }) => [...map.blankIds])),

@@ -77,6 +77,8 @@ export interface Passage {
 /** What is kept of a section once its frame is gone. */
 export interface SectionMap {
   readonly pageCount: number;
+  /** How many pages it fills: `pageCount`, but for what is empty on the last. */
+  readonly extent: number;
   /** The characters before each page. */
   readonly starts: readonly number[];
   /** The characters in it. */
@@ -329,14 +331,16 @@ async function layIn<T>(
     size = { width: page.width, height: sliceHeight(html, page) };
     flow = { stepX: 0, stepY: size.height, isVertical };
   }
-  const pageCount = content.size
+  const extent = content.size
     ? 1
     : isSliced
       ? sliceCount(html, page)
-      : unmoved(frame, () => countPages(html, flow, page));
+      : unmoved(frame, () => extentOf(html, flow, page));
+  const pageCount = Math.ceil(extent);
   const paper = content.size ? "#fff" : paperOf(typography);
   const map = {
     pageCount,
+    extent,
     ...mapOf(html, flow, pageCount, isSliced),
     ...notesIn(html, flow, pageCount),
     lost: [...(content.lost ?? []), ...lostIn(frame, html, flow, pageCount)],
@@ -373,8 +377,8 @@ function withUsedFonts(sheets: readonly string[], frame: LayoutFrame): readonly 
   );
 }
 
-/** Counts the pages of a section from how far its columns reach. */
-function countPages(html: HTMLElement, flow: PageFlow, page: PageSize): number {
+/** Returns how many pages a section fills, from how far its columns reach: more than 0. */
+function extentOf(html: HTMLElement, flow: PageFlow, page: PageMeasures): number {
   const sheet = html.parentElement as HTMLElement;
   // Columns in the direction of the text count as overflow.
   sheet.style.overflow = "hidden";
@@ -389,7 +393,10 @@ function countPages(html: HTMLElement, flow: PageFlow, page: PageSize): number {
   const last = columns.at(-1);
   const reached =
     columns.length > 1 && last ? pageOfRect(flow, last) + 1 : Math.ceil((length - 1) / step);
-  return Math.min(Math.max(reached, 1), limits.pages);
+  const pages = Math.min(Math.max(reached, 1), limits.pages);
+  const height = page.height - 2 * page.ends;
+  const isFull = flow.isVertical || !last || pages < reached;
+  return isFull ? pages : pages - 1 + Math.min(Math.max(last.height / height, 0.01), 1);
 }
 
 /** Returns the number of slices of a section that is scrolled: each about as high as a page. */

@@ -10,14 +10,23 @@ export interface SectionPage {
 /** The pages of a book, from each section's number of them. */
 export class PageNumbers {
   readonly pageCount: number;
+  /** Whether some sections are still to be counted. */
+  readonly isEstimated: boolean;
   /** The index of each section's first page. */
   readonly #first: readonly number[];
   readonly #counts: readonly number[];
+  readonly #known: readonly boolean[];
 
-  /** @param counts each section's number of pages, at least 1 */
-  constructor(counts: readonly number[]) {
+  /**
+   * @param counts each section's number of pages, at least 1
+   * @param known whether each is counted, and not estimated
+   * @param isEstimated whether some are still to be counted
+   */
+  constructor(counts: readonly number[], known: readonly boolean[], isEstimated: boolean) {
     let next = 0;
     this.#counts = counts;
+    this.#known = known;
+    this.isEstimated = isEstimated;
     this.#first = counts.map((count) => {
       const first = next;
       next += count;
@@ -44,5 +53,10 @@ export class PageNumbers {
   /** Returns a section's number of pages. */
   countOf(section: number): number {
     return this.#counts[section] ?? 0;
+  }
+
+  /** Returns whether a section's number of pages is counted, and not estimated. */
+  isKnown(section: number): boolean {
+    return this.#known[section] ?? false;
   }
 }

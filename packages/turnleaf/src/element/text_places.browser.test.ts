@@ -1,0 +1,201 @@
+import { afterEach, describe, expect, test } from "vitest";
+import type { TurnleafBook } from "../element.ts";
+import { clock } from "../for_tests/clock.ts";
+import { book, happens, scans, settled } from "../for_tests/element_books.ts";
+import { eventually } from "../for_tests/eventually.ts";
+import { countOn, holdCounting } from "../for_tests/held_counting.ts";
+import { fuzz, Random } from "../for_tests/random_numbers.ts";
+import { spansOf } from "../for_tests/text_books.ts";
+import { prose, tinyEpub } from "../sources/epub/tiny_epub.ts";
+import { tinyFb2 } from "../sources/fb2/tiny_fb2.ts";
+import { tinyPdf } from "../sources/tiny_pdf.ts";
+
+/** A book of six chapters of unequal length and kind, whose estimates are wrong. */
+const chapters = Array.from({ length: 6 }, (_, k) =>
+  prose(3 + ((5 * k) % 7))
+    .replaceAll("word", `w${k}c`)
+    .replaceAll('<p id="', k % 2 === 0 ? '<p style="font-size: 1.3em" id="' : '<p id="'),
+);
+const epub = () => new File([tinyEpub({ chapters })], "places.epub");
+
+const shown: TurnleafBook[] = [];
+
+async function open(
+  attributes: Record<string, string> = {},
+  pages: TurnleafBook["pages"] = epub(),
+): Promise<TurnleafBook> {
+  const element = book(null, { duration: "0", cover: "none", ...attributes });
+  element.style.cssText = "position: fixed; left: 0; top: 0; width: 700px; height: 480px";
+  shown.push(element);
+  const loaded = happens(element, "load");
+  element.pages = pages;
+  await loaded;
+  return element;
+}
+
+const counted = (element: TurnleafBook): Promise<void> => clock.until(() => !element.estimated);
+
+/** Returns the first word of the first open page. */
+async function headOf(element: TurnleafBook): Promise<string> {
+  await settled(element);
+  let head = "";
+  await eventually(() => {
+    head = spansOf(element)[0]?.textContent?.trim().split(" ")[0] ?? "";
+    return head;
+  }).not.toBe("");
+  return head;
+}
+
+afterEach(() => {
+  for (const element of shown.splice(0)) element.remove();
+  localStorage.clear();
+  history.replaceState(null, "", location.pathname + location.search);
+});
+
+describe("the place of a reader in flowing text", () => {
+  const plain = chapters.map((chapter) => chapter.replace(/<[^>]*>/g, "\n\n"));
+  const sections = plain.map((chapter) => `<section><p>${chapter}</p></section>`).join("");
+  const books: readonly (readonly [string, () => TurnleafBook["pages"]])[] = [
+    ["an EPUB", epub],
+    ["a text", () => new File([plain.join("\n\n")], "places.txt")],
+    ["a FictionBook", () => new File([tinyFb2(sections)], "places.fb2")],
+    ["a PDF", () => new File([tinyPdf({ pages: Array(20).fill("") })], "places.pdf")],
+    ["a comic", () => scans(16)],
+  ];
+
+  test.each(books)(
+    "is that of the same word however %s is loaded again, while pages are counted too",
+    async (name, pages) => {
+      const random = new Random();
+      const head = (element: TurnleafBook): Promise<string | number> =>
+        element.canTypeset ? headOf(element) : settled(element).then(() => element.page);
+      for (let round = 0; round < 1 * fuzz; round++) {
+        const first = await open({ remember: "", address: "" }, pages());
+        if ((round + name.length) % 2 === 0) await counted(first);
+        await first.goTo(2 + random.below(first.pageCount - 2));
+        const expected = await head(first);
+        let address = location.hash;
+        let { page } = first;
+        first.remove();
+        for (const how of ["the address", "what is remembered", "the page's number"]) {
+          const asked = { "the address": address, "the page's number": `#page=${page}` }[how] ?? "";
+          history.replaceState(null, "", location.pathname + location.search + asked);
+          if (random.below(2) > 0) holdCounting();
+          const again = await open({ remember: "", address: "" }, pages());
+          expect(await head(again), `by ${how}`).toBe(expected);
+          countOn();
+          await counted(again);
+          expect(await head(again), `counted, by ${how}`).toBe(expected);
+          if (location.hash !== "") address = location.hash;
+          page = again.page;
+          again.remove();
+        }
+      }
+    },
+    60_000 * fuzz,
+  );
+
+  test("keeps its side and its words while what is before it is counted; its address is renewed", async () => {
+    holdCounting();
+    const element = await open({ address: "" });
+    for (const page of [14, 21]) {
+      await element.goTo(page);
+      const head = await headOf(element);
+      const isLeft = (): boolean => element.spread.left === element.page;
+      const was = isLeft();
+      for (let chapter = 0; chapter < 2; chapter++) {
+        countOn(1);
+        await clock.pass(100);
+        expect(await headOf(element)).toBe(head);
+        expect(isLeft()).toBe(was);
+      }
+    }
+    const head = await headOf(element);
+    countOn();
+    await counted(element);
+    expect(await headOf(element)).toBe(head);
+    expect(location.hash).toMatch(new RegExp(`^#page=${element.page}&at=`));
+  });
+
+  test("is as far through the book as the number that was typed, while that is an estimate", async () => {
+    holdCounting();
+    const element = await open();
+    const asked = Math.round(0.6 * element.pageCount);
+    await element.goTo(asked);
+    const chapterOf = async (): Promise<number> =>
+      Number(/w(\d)c/.exec(await headOf(element))?.[1]);
+    const chapter = await chapterOf();
+    expect(Math.abs(chapter - 0.6 * 6)).toBeLessThan(2);
+    const head = await headOf(element);
+    countOn();
+    await counted(element);
+    expect(await headOf(element)).toBe(head);
+  });
+});
+
+test("a jump is a step in the history, and leads back until one reads on", async () => {
+  const element = await open({ address: "", controls: "" });
+  await counted(element);
+  const back = () => element.shadowRoot?.querySelector<HTMLButtonElement>(".return");
+  await eventually(back).toBeTruthy();
+  await element.goTo(5);
+  const { page } = element;
+  const head = await headOf(element);
+  const steps = history.length;
+  await element.showHit((await element.search("w4c2x3"))[0] ?? null);
+  expect(element.page).toBeGreaterThan(page + 4);
+  expect(history.length).toBe(steps + 1);
+  expect([back()?.hidden, back()?.textContent]).toEqual([false, `Back to page ${page}`]);
+  history.back();
+  await eventually(() => element.page).toBe(page);
+  expect(await headOf(element)).toBe(head);
+  expect(back()?.hidden).toBe(true);
+  history.forward();
+  await eventually(() => element.page).toBeGreaterThan(page + 4);
+  const [hit] = await element.search("w1c0x0");
+  await element.showHit(hit ?? null);
+  expect(back()?.hidden).toBe(false);
+  back()?.click();
+  await eventually(() => element.page).toBeGreaterThan(page + 4);
+  expect(back()?.hidden).toBe(true);
+  await element.showHit(hit ?? null);
+  await element.next();
+  expect(back()?.hidden).toBe(true);
+});
+
+test("a search finds the same while pages are counted, wherever they are, and its places stay", async () => {
+  const queries = ["w3c1x5", "x59", "w5c3x1 w5c3x2"];
+  const placesIn = async (element: TurnleafBook, query: string): Promise<string[]> =>
+    (await element.search(query)).map(({ before, text, after }) => before + text + after);
+  const first = await open();
+  await counted(first);
+  const expected = [];
+  for (const query of queries) expected.push(await placesIn(first, query));
+  expect(expected.map(({ length }) => length)).toEqual([11, 37, 1]);
+  first.remove();
+  for (const laid of [0, 2]) {
+    holdCounting();
+    const element = await open({ controls: "" });
+    countOn(laid);
+    await clock.pass(200);
+    const streamed: number[] = [];
+    const hits = element.search("x59", {
+      onHits: (found) => streamed.push(...found.map(({ page }) => page)),
+    });
+    const others = queries
+      .filter((query) => query !== "x59")
+      .map((query) => placesIn(element, query));
+    countOn();
+    await counted(element);
+    expect(await Promise.all(others), `after ${laid} chapters`).toEqual([expected[0], expected[2]]);
+    expect((await hits).length).toBe(37);
+    expect(streamed.length).toBe(37);
+    // They say where their text is now.
+    for (const hit of [(await hits)[0], (await hits).at(-1)]) {
+      await element.showHit(hit ?? null);
+      const { left, right } = element.spread;
+      expect([left, right]).toContain(hit?.page);
+    }
+    element.remove();
+  }
+}, 50_000);

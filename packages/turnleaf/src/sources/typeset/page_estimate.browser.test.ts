@@ -1,0 +1,196 @@
+import { expect, test } from "vitest";
+import { countOn, holdCounting } from "../../for_tests/held_counting.ts";
+import { prose, tinyEpub } from "../epub/tiny_epub.ts";
+import { openSource } from "../open.ts";
+import type { FlowSource } from "./flow_source.ts";
+import { linesIn } from "./page_estimate.ts";
+
+const never = new AbortController().signal;
+
+/** Returns so many words of some length, always the same. */
+const words = (count: number, seed = 0): string =>
+  Array.from({ length: count }, (_, k) => "abcdefghij".slice(0, 2 + ((7 * k + 3 * seed) % 8))).join(
+    " ",
+  );
+
+const times = (count: number, make: (k: number) => string): string =>
+  Array.from({ length: count }, (_, k) => make(k)).join("");
+
+const paragraphs = (count: number, length: number): string =>
+  times(count, (k) => `<p>${words(length + ((k * 13) % length), k)}.</p>`);
+
+/** Returns how many there are of something in a chapter: chapters are of unequal length. */
+const some = (count: number, k: number): number => Math.round(count * (0.5 + 0.35 * (k % 4)));
+
+/** A chapter with a heading. */
+const chapter = (k: number, body: string): string => `<h1>Chapter ${k + 1}</h1>${body}`;
+
+const wide = "山路を登りながら、こう考えた。智に働けば角が立つ。".repeat(6);
+
+/** Books of twenty kinds: their chapters and their style. */
+const kinds: Readonly<
+  Record<string, { readonly css?: string; readonly chapter: (k: number) => string }>
+> = {
+  "a novel": { chapter: (k) => chapter(k, paragraphs(14 + (k % 5), 60)) },
+  "a novel of long paragraphs": { chapter: (k) => chapter(k, paragraphs(some(5, k), 260)) },
+  "a play, line by line": { chapter: (k) => chapter(k, paragraphs(some(60, k), 8)) },
+  "small type": {
+    css: "body { font-size: 0.8em }",
+    chapter: (k) => chapter(k, paragraphs(some(20, k), 60)),
+  },
+  "large type": {
+    css: "body { font-size: 1.25em }",
+    chapter: (k) => chapter(k, paragraphs(some(12, k), 60)),
+  },
+  "close lines": {
+    css: "p { line-height: 1.15; margin: 0 }",
+    chapter: (k) => chapter(k, paragraphs(some(20, k), 60)),
+  },
+  "wide lines": {
+    css: "p { line-height: 2 }",
+    chapter: (k) => chapter(k, paragraphs(some(12, k), 60)),
+  },
+  "indented paragraphs": {
+    css: "p { margin: 0; text-indent: 1.5em }",
+    chapter: (k) => chapter(k, paragraphs(some(16, k), 50)),
+  },
+  verse: {
+    chapter: (k) =>
+      chapter(
+        k,
+        times(some(16, k), (v) => `<p>${times(6, (l) => `${words(6, l + v)}<br/>`)}</p>`),
+      ),
+  },
+  lists: {
+    chapter: (k) =>
+      chapter(
+        k,
+        times(some(6, k), (l) => `<ul>${times(9, (i) => `<li>${words(9, i + l)}</li>`)}</ul>`),
+      ),
+  },
+  "a dictionary": {
+    chapter: () =>
+      `<dl>${times(40, (d) => `<dt>${words(1, d)}</dt><dd>${words(18, d)}</dd>`)}</dl>`,
+  },
+  tables: {
+    chapter: (k) =>
+      chapter(
+        k,
+        times(
+          some(3, k),
+          (t) =>
+            `<table>${times(14, (r) => `<tr><td>${words(3, r + t)}</td><td>${words(4, r)}</td></tr>`)}</table>`,
+        ),
+      ),
+  },
+  "markup without end": {
+    chapter: (k) =>
+      chapter(
+        k,
+        times(
+          some(16, k),
+          (p) =>
+            `<p class="a b c d e f">${times(60, (w) => `<span class="word word-${w}" id="w${k}-${p}-${w}">${words(1, w)}</span> `)}</p>`,
+        ),
+      ),
+  },
+  Japanese: {
+    css: "body { font-family: serif }",
+    chapter: (k) =>
+      chapter(
+        k,
+        times(some(9, k), () => `<p>${wide}</p>`),
+      ),
+  },
+  headings: {
+    chapter: (k) =>
+      chapter(
+        k,
+        times(some(12, k), (h) => `<h2>Section ${h}</h2>${paragraphs(1, 45)}`),
+      ),
+  },
+  code: {
+    chapter: (k) =>
+      chapter(
+        k,
+        times(
+          some(6, k),
+          (c) => `<p>${words(20, c)}</p><pre>${times(8, (l) => `${words(5, l)}\n`)}</pre>`,
+        ),
+      ),
+  },
+  quotations: {
+    css: "blockquote { margin: 1em 3em }",
+    chapter: (k) =>
+      chapter(
+        k,
+        times(some(10, k), (q) => `<blockquote><p>${words(45, q)}</p></blockquote>`),
+      ),
+  },
+  "wide margins": {
+    css: "body > * { margin-left: 4em; margin-right: 4em }",
+    chapter: (k) => chapter(k, paragraphs(some(10, k), 60)),
+  },
+  "short chapters": { chapter: (k) => chapter(k, paragraphs(3 + (k % 3), 60)) },
+  "a collection of very unequal parts": {
+    chapter: (k) => chapter(k, paragraphs(k % 3 === 0 ? 40 : 4, 50)),
+  },
+};
+
+test("the first number of pages of twenty kinds of books is near the last", async () => {
+  const off: Record<string, number> = {};
+  for (const [kind, { css = "", chapter }] of Object.entries(kinds)) {
+    const title = '<div style="text-align: center"><h1>Title</h1><p>An author</p></div>';
+    const chapters = [title, ...Array.from({ length: 9 }, (_, k) => chapter(k))];
+    holdCounting();
+    const source = await openSource(tinyEpub({ chapters, css }));
+    // What is announced is what is shown.
+    source.watchPages?.((change) => change());
+    await (source as FlowSource).estimated;
+    const first = source.pageCount;
+    expect(source.isEstimated, kind).toBe(true);
+    countOn();
+    await source.settle?.();
+    expect(source.isEstimated, kind).toBe(false);
+    off[kind] = first / source.pageCount - 1;
+    source.close();
+  }
+  const sorted = Object.values(off)
+    .map(Math.abs)
+    .sort((a, b) => a - b);
+  expect((sorted[9] + sorted[10]) / 2, JSON.stringify(off)).toBeLessThan(0.05);
+  expect(sorted.at(-1), JSON.stringify(off)).toBeLessThan(0.3);
+}, 60_000);
+
+test("a page whose number is an estimate has the text that is as far through its chapter", async () => {
+  const chapters = Array.from({ length: 7 }, (_, k) =>
+    k === 4 ? `<div style="font-size: 1.7em">${prose(16)}</div>` : prose(16),
+  );
+  holdCounting();
+  const source = await openSource(tinyEpub({ chapters }));
+  source.watchPages?.((change) => change());
+  await (source as FlowSource).estimated;
+  const [first = 0, next = 0] = ((await source.outline?.(never)) ?? [])
+    .slice(4, 6)
+    .map(({ page }) => page ?? 0);
+  const estimated = next - first;
+  const asked = Math.floor(0.75 * estimated);
+  const runs = await source.text?.(first - 1 + asked, never);
+  const paragraph = Number(/word(\d+)x/.exec(runs?.[0]?.text ?? "")?.[1]);
+  expect(Math.abs(paragraph / 16 - asked / estimated)).toBeLessThan(1.5 / 16);
+  countOn();
+  await source.settle?.();
+  expect(source.pageCount).toBeGreaterThan(7 * estimated);
+  source.close();
+});
+
+test("lines are counted by paragraphs, without what is not seen", () => {
+  expect(linesIn("<p>one</p>\n  <p>two <b>words</b></p>")).toBe(2);
+  expect(linesIn(`<p>${"x".repeat(109)}</p>`)).toBe(3);
+  expect(linesIn("<head><title>T</title></head><style>p { color: red }</style><p>one</p>")).toBe(1);
+  expect(linesIn("<p>&#160;&amp;</p>")).toBe(1);
+  expect(linesIn(`<p>${"山".repeat(54)}</p>`)).toBe(2);
+  expect(linesIn(`<math><annotation>${"y".repeat(500)}</annotation><mi>x</mi></math>`)).toBe(1);
+  // Markup without an end takes no longer than another.
+  expect(linesIn("<head".repeat(100_000))).toBeLessThan(20_000);
+});

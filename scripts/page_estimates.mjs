@@ -1,0 +1,109 @@
+/**
+ * How near the first number of pages of books of flowing text is to the last: right after a book is
+ * opened, once all of its text is weighed and a chapter of it is laid out, and counted to the end.
+ *
+ *   node scripts/page_estimates.mjs BOOK ...
+ *
+ * BOOK is a file, such as an EPUB, or the folder of an unpacked one. It uses the build of
+ * `npm run build`. Each line says the three numbers and when they were known, seconds after the start.
+ */
+import { readdirSync, readFileSync, statSync } from "node:fs";
+import { createServer } from "node:http";
+import { basename, extname, join, relative } from "node:path";
+import { zipSync } from "fflate";
+import { chromium } from "playwright-core";
+import { chromiumArguments, findChromium } from "./chromium.mjs";
+
+const dist = join(import.meta.dirname, "../packages/turnleaf/dist");
+
+/** Milliseconds between two looks at the number. */
+const often = 20;
+
+/** Returns a book's bytes; a folder is packed. */
+function bytesOf(path) {
+  if (!statSync(path).isDirectory()) return readFileSync(path);
+  const files = readdirSync(path, { recursive: true, withFileTypes: true })
+    .filter((entry) => entry.isFile())
+    .map((entry) => join(entry.parentPath, entry.name));
+  const named = files.map((file) => [relative(path, file), readFileSync(file)]);
+  return zipSync(Object.fromEntries(named));
+}
+
+const books = process.argv.slice(2);
+const types = { ".js": "text/javascript", ".wasm": "application/wasm" };
+const server = createServer((request, response) => {
+  const { pathname } = new URL(request.url ?? "/", "http://localhost");
+  const [, kind, name] = pathname.split("/", 3);
+  if (kind === "turnleaf") {
+    response.setHeader("content-type", types[extname(pathname)] ?? "application/octet-stream");
+    response.end(readFileSync(join(dist, pathname.slice("/turnleaf/".length))));
+  } else if (kind === "book") response.end(bytesOf(books[Number(name)]));
+  else {
+    response.setHeader("content-type", "text/html");
+    const map = '<script type="importmap">{"imports":{"three":"data:text/javascript,"}}</script>';
+    response.end(`<!doctype html><link rel="icon" href="data:,">${map}`);
+  }
+});
+await new Promise((resolve) => server.listen(0, "127.0.0.1", resolve));
+const url = `http://127.0.0.1:${server.address().port}`;
+
+/** Runs in the page. */
+async function count([address, name, often]) {
+  const { openSource } = await import("/turnleaf/index.js");
+  const start = performance.now();
+  const seconds = () => ((performance.now() - start) / 1000).toFixed(2);
+  const source = await openSource(address, { name });
+  const numbers = [[source.pageCount, seconds()]];
+  source.watchPages?.((change) => {
+    change();
+    numbers.push([source.pageCount, seconds()]);
+  });
+  const settled = source.settle();
+  // The number a second after the book is there.
+  let second = null;
+  const timer = setInterval(() => {
+    if (second === null && performance.now() - start > 1000 * Number(numbers[0][1]) + 1000)
+      second = source.pageCount;
+  }, often);
+  await settled;
+  clearInterval(timer);
+  const last = source.pageCount;
+  source.close();
+  return {
+    first: numbers[0],
+    estimated: numbers[1] ?? numbers[0],
+    second: second ?? last,
+    last: [last, seconds()],
+  };
+}
+
+const browser = await chromium.launch({ executablePath: findChromium(), args: chromiumArguments });
+const off = { first: [], estimated: [], second: [] };
+for (const [index, path] of books.entries()) {
+  const page = await browser.newPage();
+  await page.goto(url);
+  const name = basename(path);
+  try {
+    const found = await page.evaluate(count, [`${url}/book/${index}`, name, often]);
+    const [last, time] = found.last;
+    const told = ([pages, seconds]) => `${pages} (${seconds} s)`;
+    for (const kind of Object.keys(off))
+      off[kind].push(Math.abs([found[kind]].flat()[0] / last - 1));
+    console.log(
+      `${name.slice(0, 40).padEnd(42)} first ${told(found.first)}, estimated ${told(found.estimated)}, a second later ${found.second}, counted ${last} (${time} s)`,
+    );
+  } catch (error) {
+    console.log(`${name}: ${String(error).slice(0, 200)}`);
+  }
+  await page.close();
+}
+const percent = (value) => `${(100 * value).toFixed(1)} %`;
+for (const [kind, values] of Object.entries(off)) {
+  const sorted = values.sort((a, b) => a - b);
+  const median = sorted[sorted.length >> 1] ?? 0;
+  console.log(
+    `${kind}: off by ${percent(median)} in the median, ${percent(sorted.at(-1) ?? 0)} at most`,
+  );
+}
+await browser.close();
+server.close();
