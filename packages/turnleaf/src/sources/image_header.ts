@@ -17,8 +17,8 @@ import { imageType, type Kind, rareImageType, sniff, sniffLength } from "./sniff
  */
 const headerLength = 1 << 20;
 
-/** Bytes in which the sizes of an AVIF and its parts are searched for. */
-const avifLength = 1 << 16;
+/** Bytes in which the sizes of an AVIF or a HEIC and its parts are searched for. */
+const heifLength = 1 << 16;
 
 /** Bytes of a JPEG in which its size is searched for at last: previews and profiles may come before. */
 const longestHeader = 1 << 24;
@@ -73,12 +73,12 @@ export async function sizeFromHeader(image: Blob): Promise<PageSize | null> {
 
 /**
  * Returns the size that a typed image claims before it is decoded: its own, or
- * of an AVIF that of its largest part, which may lie turned. Null if its
+ * of an AVIF or a HEIC that of its largest part, which may lie turned. Null if its
  * header is not understood.
  */
 export async function claimedSize(image: Blob): Promise<PageSize | null> {
-  if (image.type !== "image/avif") return await sizeFromHeader(image);
-  const start = new DataView(await image.slice(0, avifLength).arrayBuffer());
+  if (!/^image\/(avif|heic)$/.test(image.type)) return await sizeFromHeader(image);
+  const start = new DataView(await image.slice(0, heifLength).arrayBuffer());
   let largest: PageSize | null = null;
   // Each picture in it, the whole and the tiles of a grid, has a box "ispe" (ISO/IEC 23008-12, 6.5.3).
   for (let at = 0; at + 16 <= start.byteLength; at++) {

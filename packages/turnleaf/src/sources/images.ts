@@ -1,6 +1,6 @@
 import { nameOfUrl } from "./book_text.ts";
 import { fetchChecked, readBounded } from "./fetch_bytes.ts";
-import { claimedSize, kindOfFile, sizeFromHeader, typedImage } from "./image_header.ts";
+import { claimedSize, kindOfFile, sizeFromHeader } from "./image_header.ts";
 import { fitPixels, isPageSize, limits, wholePage } from "./limits.ts";
 import { loadPart } from "./load_part.ts";
 import type { ImageBook, ImagePage, StoredImage } from "./manifest.ts";
@@ -15,8 +15,8 @@ import {
   type TextRun,
 } from "./page_source.ts";
 import { SharedTasks } from "./shared_tasks.ts";
+import { showableImage } from "./showable_image.ts";
 import { mayLieTurned, shownImage } from "./shown_image.ts";
-import { unshownFormat } from "./sniff.ts";
 
 /** Encoded images kept, so that drawing a page sharper does not fetch it again. */
 const keptImages = 6;
@@ -211,7 +211,7 @@ export class ImageSource implements PageSource {
   }
 
   async #fetch(index: number, src: string | StoredImage, signal: AbortSignal): Promise<Blob> {
-    if (typeof src !== "string") return await typedImage(await src.read());
+    if (typeof src !== "string") return await this.#showable(index, await src.read());
     const place = this.#place(index);
     const response = await fetchChecked(
       src,
@@ -226,21 +226,26 @@ export class ImageSource implements PageSource {
         page: index + 1,
         source: this.#book.name,
       });
-    return await typedImage(
-      new Blob([bytes], { type: response.headers.get("content-type") ?? "" }),
-    );
+    const type = response.headers.get("content-type") ?? "";
+    return await this.#showable(index, new Blob([bytes], { type }));
   }
 
   async #read(index: number, image: Blob): Promise<Blob> {
     try {
-      return await typedImage(image);
-    } catch {
+      return await this.#showable(index, image);
+    } catch (error) {
+      if (error instanceof BookError) throw error;
       throw new BookError(`${this.#place(index)} cannot be read any more; choose the file again.`, {
         code: "gone",
         page: index + 1,
         source: this.#book.name,
       });
     }
+  }
+
+  #showable(index: number, image: Blob): Promise<Blob> {
+    const about = { page: index + 1, source: this.#book.name };
+    return showableImage(image, this.#place(index), about);
   }
 
   #misplacedPdf(index: number): BookError {
@@ -253,19 +258,10 @@ export class ImageSource implements PageSource {
 
   #undecodable(index: number, image: Blob): BookError {
     const place = this.#place(index);
-    const format = unshownFormat(image.type);
-    if (format) {
-      const sentence = `${place} is ${format}, which this browser does not show; convert it to PNG or JPEG.`;
-      return new BookError(sentence, {
-        code: "unsupported",
-        page: index + 1,
-        source: this.#book.name,
-      });
-    }
     return new BookError(
       isSvg(image)
         ? `${place} is damaged, or this page's Content-Security-Policy lacks data: in img-src, by which an SVG is drawn.`
-        : `${place} is damaged or no image; PNG, JPEG, WebP, AVIF, GIF, BMP and SVG can be shown.`,
+        : `${place} is damaged or no image; PNG, JPEG, WebP, AVIF, GIF, BMP, SVG, TIFF, JPEG 2000 and JPEG XL can be shown.`,
       { code: "damaged", page: index + 1, source: this.#book.name },
     );
   }

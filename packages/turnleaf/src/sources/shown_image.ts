@@ -17,7 +17,7 @@ const cameraData = /eXIf|EXIF/;
  * browser shows none of it, it is too large, or the page's policy allows no images as data.
  */
 export async function shownImage(image: Blob): Promise<OffscreenCanvas> {
-  const address = await dataUrl(new Uint8Array(await image.arrayBuffer()), image.type);
+  const address = await dataUrl(image, image.type);
   const element = new Image();
   const loaded = new Promise((resolve, reject) => {
     element.onload = resolve;

@@ -45,6 +45,9 @@ const rareImages: typeof images = [
   ["image/heic", 4, "ftypmif1"],
   ["image/tiff", 0, "II*\0"],
   ["image/tiff", 0, "MM\0*"],
+  // BigTIFF.
+  ["image/tiff", 0, "II+\0"],
+  ["image/tiff", 0, "MM\0+"],
   ["image/jxl", 0, "\xff\x0a"],
   ["image/jxl", 4, "JXL \r\n\x87\n"],
   ["image/jp2", 4, "jP  \r\n\x87\n"],
