@@ -1,3 +1,5 @@
+import { readTarHeader } from "./archive/tar_header.ts";
+
 /** The kind of a file, as far as its first bytes show. */
 export type Kind =
   | "pdf"
@@ -7,6 +9,7 @@ export type Kind =
   | "zip"
   | "rar"
   | "7z"
+  | "tar"
   | "kindle"
   | "palmdoc"
   | "fb2"
@@ -90,6 +93,8 @@ const fictionBook = [/^<(\?xml|!--|!doctype fictionbook|fictionbook)/i, /<fictio
 export function sniff({ start, type }: FileStart): Kind {
   const text = latin1(start.subarray(0, sniffLength));
   if (imageType(start) ?? rareImageType(start)) return "image";
+  // Before what may be within its first file.
+  if (readTarHeader(start)) return "tar";
   if (text.includes(pdfMark)) return "pdf";
   if (text.startsWith(zip)) return "zip";
   if (text.startsWith(rar)) return "rar";

@@ -1,6 +1,6 @@
 import { strToU8, type Zippable, zipSync } from "fflate";
 import { expect, test } from "vitest";
-import { rar4, rar5, sevenZip } from "../../for_tests/stored_archives.ts";
+import { rar4, rar5, sevenZip, tar } from "../../for_tests/stored_archives.ts";
 import { fixture } from "../archive/unpacker/fixtures_for_tests.ts";
 import { messageOf } from "../message_of.ts";
 import { openSource } from "../open.ts";
@@ -146,6 +146,7 @@ const packers: readonly [name: string, pack: Pack][] = [
   ["Hero 1.cbr", rar4],
   ["Hero 1.rar", rar5],
   ["Hero 1.cb7", sevenZip],
+  ["Hero 1.cbt", tar],
 ];
 
 test.each(packers)("%s is a comic as one in a ZIP is", async (name, pack) => {

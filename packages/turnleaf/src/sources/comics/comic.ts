@@ -7,11 +7,12 @@ import { ImageSource } from "../images.ts";
 import { limits } from "../limits.ts";
 import type { ImagePage, StoredImage } from "../manifest.ts";
 import { BookError, type OutlineEntry, type PageSize, type PageSource } from "../page_source.ts";
-import { imageType, sniffLength } from "../sniff.ts";
+import { imageType, rareImageType, sniffLength } from "../sniff.ts";
 import { decodeXml } from "../xml_text.ts";
 import { type ComicInfo, noInfo, readComicInfo } from "./comic_info.ts";
 
-const imageName = /\.(jpe?g|jpe|jfif|png|gif|webp|avif|bmp|svg)$/i;
+const imageName =
+  /\.(jpe?g|jpe|jfif|png|gif|webp|avif|bmp|svg|tiff?|jp2|jpx|j2[ck]|jpf|jxl|hei[cf])$/i;
 /** What systems and shared drives leave in archives beside their pages: folders and hidden files. */
 const junk =
   /^(\.|__MACOSX$|@eaDir$|@__thumb$|#recycle$|\$RECYCLE\.BIN$|lost\+found$|System Volume Information$)/i;
@@ -68,7 +69,7 @@ export async function openComic(archive: Archive, file: Blob, name: string): Pro
       });
     return new ImageSource({
       name,
-      title: info.title || name.replace(/\.(cb[rz7]|rar|7z)$/i, "") || name,
+      title: info.title || name.replace(/\.(cb[rz7t]|rar|7z|tar)$/i, "") || name,
       language: info.language,
       direction: info.direction,
       kind: "scan",
@@ -91,7 +92,7 @@ async function pagesIn(archive: Archive): Promise<string[]> {
   const unnamed = names.filter((name) => !imageName.test(name) && !otherName.test(name));
   for (const name of unnamed.slice(0, limits.pages)) {
     const start = await archive.readStart(name, sniffLength).catch(() => null);
-    if (start !== null && imageType(start) !== null) images.push(name);
+    if (start !== null && (imageType(start) ?? rareImageType(start))) images.push(name);
   }
   return inOrder(images);
 }
