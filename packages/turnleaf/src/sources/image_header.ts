@@ -8,6 +8,7 @@ import { GIF } from "image-size/types/gif";
 import { JPG } from "image-size/types/jpg";
 import { PNG } from "image-size/types/png";
 import { WEBP } from "image-size/types/webp";
+import { loadPart } from "./load_part.ts";
 import type { PageSize } from "./page_source.ts";
 import { imageType, type Kind, rareImageType, sniff, sniffLength } from "./sniff.ts";
 
@@ -77,6 +78,10 @@ export async function sizeFromHeader(image: Blob): Promise<PageSize | null> {
  * header is not understood.
  */
 export async function claimedSize(image: Blob): Promise<PageSize | null> {
+  if (/^image\/(tiff|jxl|jp2)$/.test(image.type)) {
+    const { rareSize } = await loadPart(import("./rare_images/rare_size.ts"));
+    return await rareSize(image);
+  }
   if (!/^image\/(avif|heic)$/.test(image.type)) return await sizeFromHeader(image);
   const start = new DataView(await image.slice(0, heifLength).arrayBuffer());
   let largest: PageSize | null = null;

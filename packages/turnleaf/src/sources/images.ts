@@ -17,6 +17,7 @@ import {
 import { SharedTasks } from "./shared_tasks.ts";
 import { showableImage } from "./showable_image.ts";
 import { mayLieTurned, shownImage } from "./shown_image.ts";
+import type { Cut, StripPage } from "./strips.ts";
 
 /** Encoded images kept, so that drawing a page sharper does not fetch it again. */
 const keptImages = 6;
@@ -39,6 +40,8 @@ export class ImageSource implements PageSource {
   readonly #measured = new Set<number>();
   readonly #images = new Map<ImagePage["src"], Blob>();
   readonly #fetching = new SharedTasks<ImagePage["src"], Blob>();
+  /** Where strips are cut. */
+  readonly #cuts = new Map<ImagePage["src"], Promise<readonly Cut[]>>();
   #closed = false;
 
   constructor(book: ImageBook) {
@@ -81,13 +84,15 @@ export class ImageSource implements PageSource {
     const image = await this.#image(index, signal);
     const size = await this.#measure(index, image);
     signal.throwIfAborted();
-    const own = this.#book.pages[index]?.part ?? wholePage;
+    const { part: own = wholePage, strip } = this.#book.pages[index] ?? {};
     const from = { x: own.x / own.width + region.x, y: own.y / own.height + region.y };
     const part = scaleBox({ ...region, ...from }, size);
     // Vector images are sharp at any size, bitmaps at their own.
     const pixels = fitPixels(part, isSvg(image) ? width : Math.min(width, part.width));
     const whole = region === wholePage && own === wholePage && !isSvg(image);
-    const picture = await this.#decode(index, image, whole ? null : part, pixels);
+    const picture = strip
+      ? await this.#drawStrip(index, image, strip, { size, part, pixels })
+      : await this.#decode(index, image, whole ? null : part, pixels);
     if (!signal.aborted && !this.#closed) return picture;
     picture.close();
     signal.throwIfAborted();
@@ -146,8 +151,10 @@ export class ImageSource implements PageSource {
         { code: "tooLarge", page: index + 1, source: this.#book.name },
       );
     }
-    const { width, height } = this.#book.pages[index]?.part ?? wholePage;
-    const size = { width: pixels.width * width, height: pixels.height * height };
+    const { part: { width, height } = wholePage, strip } = this.#book.pages[index] ?? {};
+    const size = strip
+      ? { width: pixels.width, height: pixels.width * strip.ratio }
+      : { width: pixels.width * width, height: pixels.height * height };
     this.#measured.add(index);
     this.#sizes[index] = size;
     return size;
@@ -174,6 +181,33 @@ export class ImageSource implements PageSource {
         const { drawSvg } = await loadPart(import("./svg.ts"));
         return await drawSvg(image, part, pixels, this.#place(index));
       }
+      return await drawn(image).catch(async () => await drawn(await shownImage(image)));
+    } catch (error) {
+      throw error instanceof BookError ? error : this.#undecodable(index, image);
+    }
+  }
+
+  /** Draws a page of a strip. */
+  async #drawStrip(
+    index: number,
+    image: Blob,
+    strip: StripPage,
+    { size, part, pixels }: { size: PageSize; part: PageBox; pixels: PageSize },
+  ): Promise<ImageBitmap> {
+    const src = this.#book.pages[index]?.src ?? image;
+    try {
+      const { cutsOf, drawStripPage } = await loadPart(import("./strips.ts"));
+      const cutting =
+        this.#cuts.get(src) ??
+        bitmapOf(image).then((bitmap) => {
+          const cuts = cutsOf(bitmap, strip);
+          bitmap.close();
+          return cuts;
+        });
+      this.#cuts.set(src, cutting);
+      const cuts = await cutting;
+      const ends = [cuts[strip.index], cuts[strip.index + 1]] as [Cut, Cut];
+      const drawn = (from: ImageBitmapSource) => drawStripPage(from, ends, size, part, pixels);
       return await drawn(image).catch(async () => await drawn(await shownImage(image)));
     } catch (error) {
       throw error instanceof BookError ? error : this.#undecodable(index, image);
@@ -261,7 +295,7 @@ export class ImageSource implements PageSource {
     return new BookError(
       isSvg(image)
         ? `${place} is damaged, or this page's Content-Security-Policy lacks data: in img-src, by which an SVG is drawn.`
-        : `${place} is damaged or no image; PNG, JPEG, WebP, AVIF, GIF, BMP, SVG, TIFF, JPEG 2000 and JPEG XL can be shown.`,
+        : `${place} is damaged or no image; PNG, JPEG, WebP, AVIF, GIF, BMP, SVG, TIFF and JPEG 2000 can be shown.`,
       { code: "damaged", page: index + 1, source: this.#book.name },
     );
   }
@@ -304,10 +338,15 @@ async function measure(image: Blob): Promise<PageSize> {
 }
 
 async function measureByDecoding(image: Blob): Promise<PageSize> {
-  const bitmap = await createImageBitmap(image).catch(
-    async () => await createImageBitmap(await shownImage(image)),
-  );
+  const bitmap = await bitmapOf(image);
   const size = { width: bitmap.width, height: bitmap.height };
   bitmap.close();
   return size;
+}
+
+/** Returns all of an image. Rejects if the browser shows none of it. */
+async function bitmapOf(image: Blob): Promise<ImageBitmap> {
+  return await createImageBitmap(image).catch(
+    async () => await createImageBitmap(await shownImage(image)),
+  );
 }

@@ -3,16 +3,11 @@
  * in a worker, one image at a time, as each may take two gigabytes: its WASM has no more.
  */
 
-import { J2C } from "image-size/types/j2c";
-import { JP2 } from "image-size/types/jp2";
-import { JXL } from "image-size/types/jxl";
-import { JXLStream } from "image-size/types/jxl-stream";
-import { TIFF } from "image-size/types/tiff";
 import { unpack } from "../../packed.ts";
 import { claimedSize } from "../image_header.ts";
 import { limits } from "../limits.ts";
 import { loadPart } from "../load_part.ts";
-import { BookError, type BookErrorDetail, type PageSize } from "../page_source.ts";
+import { BookError, type BookErrorDetail } from "../page_source.ts";
 import { unshownFormat } from "../sniff.ts";
 import { trustedScript } from "../trusted_script.ts";
 import { scriptOfWorker, workerNotStarted } from "../worker_script.ts";
@@ -57,7 +52,7 @@ export async function asPng(image: Blob, place: string, about: BookErrorDetail):
 
 /** Returns what the browser shows of an image; null if that is nothing, or the image's size is unknown or too large. */
 async function byBrowser(image: Blob): Promise<Blob | null> {
-  const size = (await claimedSize(image)) ?? (await sizeOf(image));
+  const size = await claimedSize(image);
   if (!size || size.width * size.height > limits.imagePixels) return null;
   const bitmap = await createImageBitmap(image).catch(() => null);
   if (!bitmap) return null;
@@ -65,19 +60,6 @@ async function byBrowser(image: Blob): Promise<Blob | null> {
   canvas.getContext("2d")?.drawImage(bitmap, 0, 0);
   bitmap.close();
   return await canvas.convertToBlob({ type: "image/png" });
-}
-
-/** Returns the size that an image claims; null if its header is not understood. */
-async function sizeOf(image: Blob): Promise<PageSize | null> {
-  // The header of a TIFF may be at its end.
-  const bytes = new Uint8Array(await image.arrayBuffer());
-  try {
-    return (
-      [TIFF, JXL, JXLStream, JP2, J2C].find((one) => one.validate(bytes))?.calculate(bytes) ?? null
-    );
-  } catch {
-    return null;
-  }
 }
 
 async function decoded(
