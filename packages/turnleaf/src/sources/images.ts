@@ -1,4 +1,5 @@
 import { nameOfUrl } from "./book_text.ts";
+import { cropImage } from "./crop_image.ts";
 import { fetchChecked, readBounded } from "./fetch_bytes.ts";
 import { claimedSize, kindOfFile, sizeFromHeader } from "./image_header.ts";
 import { fitPixels, isPageSize, limits, wholePage } from "./limits.ts";
@@ -16,7 +17,7 @@ import {
 } from "./page_source.ts";
 import { SharedTasks } from "./shared_tasks.ts";
 import { showableImage } from "./showable_image.ts";
-import { mayLieTurned, shownImage } from "./shown_image.ts";
+import { shownImage } from "./shown_image.ts";
 import type { Cut, StripPage } from "./strips.ts";
 
 /** Encoded images kept, so that drawing a page sharper does not fetch it again. */
@@ -41,7 +42,7 @@ export class ImageSource implements PageSource {
   readonly #images = new Map<ImagePage["src"], Blob>();
   readonly #fetching = new SharedTasks<ImagePage["src"], Blob>();
   /** Where strips are cut. */
-  readonly #cuts = new Map<ImagePage["src"], Promise<readonly Cut[]>>();
+  readonly #cuts = new Map<ImagePage["src"], readonly Cut[]>();
   #closed = false;
 
   constructor(book: ImageBook) {
@@ -172,16 +173,14 @@ export class ImageSource implements PageSource {
       resizeHeight: pixels.height,
       resizeQuality: "high",
     };
-    const drawn = (from: ImageBitmapSource): Promise<ImageBitmap> =>
-      part === null
-        ? createImageBitmap(from, options)
-        : createImageBitmap(from, part.x, part.y, part.width, part.height, options);
     try {
       if (part !== null && isSvg(image)) {
         const { drawSvg } = await loadPart(import("./svg.ts"));
         return await drawSvg(image, part, pixels, this.#place(index));
       }
-      return await drawn(image).catch(async () => await drawn(await shownImage(image)));
+      if (part === null) return await bitmapOf(image, options);
+      const whole = await bitmapOf(image);
+      return await cropImage(whole, part, pixels).finally(() => whole.close());
     } catch (error) {
       throw error instanceof BookError ? error : this.#undecodable(index, image);
     }
@@ -197,18 +196,11 @@ export class ImageSource implements PageSource {
     const src = this.#book.pages[index]?.src ?? image;
     try {
       const { cutsOf, drawStripPage } = await loadPart(import("./strips.ts"));
-      const cutting =
-        this.#cuts.get(src) ??
-        bitmapOf(image).then((bitmap) => {
-          const cuts = cutsOf(bitmap, strip);
-          bitmap.close();
-          return cuts;
-        });
-      this.#cuts.set(src, cutting);
-      const cuts = await cutting;
+      const whole = await bitmapOf(image);
+      const cuts = this.#cuts.get(src) ?? cutsOf(whole, strip);
+      this.#cuts.set(src, cuts);
       const ends = [cuts[strip.index], cuts[strip.index + 1]] as [Cut, Cut];
-      const drawn = (from: ImageBitmapSource) => drawStripPage(from, ends, size, part, pixels);
-      return await drawn(image).catch(async () => await drawn(await shownImage(image)));
+      return await drawStripPage(whole, ends, size, part, pixels).finally(() => whole.close());
     } catch (error) {
       throw error instanceof BookError ? error : this.#undecodable(index, image);
     }
@@ -330,8 +322,7 @@ async function measure(image: Blob): Promise<PageSize> {
     return await sizeOfSvg(image);
   }
   const size = await sizeFromHeader(image);
-  const isBounded = size && size.width * size.height <= limits.imagePixels;
-  if (size && !(isBounded && (await mayLieTurned(image)))) return size;
+  if (size) return size;
   const claimed = await claimedSize(image);
   const isTooLarge = claimed && claimed.width * claimed.height > limits.imagePixels;
   return isTooLarge ? claimed : await measureByDecoding(image);
@@ -344,9 +335,9 @@ async function measureByDecoding(image: Blob): Promise<PageSize> {
   return size;
 }
 
-/** Returns all of an image. Rejects if the browser shows none of it. */
-async function bitmapOf(image: Blob): Promise<ImageBitmap> {
-  return await createImageBitmap(image).catch(
-    async () => await createImageBitmap(await shownImage(image)),
+/** Returns all of an image, upright. Rejects if the browser shows none of it. */
+async function bitmapOf(image: Blob, options: ImageBitmapOptions = {}): Promise<ImageBitmap> {
+  return await createImageBitmap(image, options).catch(
+    async () => await createImageBitmap(await shownImage(image), options),
   );
 }

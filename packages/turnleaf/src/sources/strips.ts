@@ -1,5 +1,6 @@
 /** Strips: images many times as tall as wide, as of comics that are scrolled, cut into pages. */
 
+import { cropImage } from "./crop_image.ts";
 import type { PageBox, PageSize } from "./page_source.ts";
 
 /**
@@ -96,13 +97,12 @@ function middleOfNearest(colours: readonly (string | null)[], to: number): numbe
 /**
  * Draws a part of a page of a strip, with what lies between two cuts in its middle, as wide as the page.
  *
- * @param image the strip, which the browser decodes
  * @param page the page's size in the strip's pixels
  * @param part the part of the page that is drawn, in the same
  * @param pixels how large it is drawn
  */
 export async function drawStripPage(
-  image: ImageBitmapSource,
+  strip: ImageBitmap,
   [top, bottom]: readonly [Cut, Cut],
   page: PageSize,
   part: PageBox,
@@ -125,11 +125,8 @@ export async function drawStripPage(
   if (to > from) {
     const y = Math.round((from - top.y + above - part.y) * scale);
     const height = Math.max(Math.round((to - from) * scale), 1);
-    const piece = await createImageBitmap(image, part.x, from, part.width, to - from, {
-      resizeWidth: pixels.width,
-      resizeHeight: height,
-      resizeQuality: "high",
-    });
+    const box = { x: part.x, y: from, width: part.width, height: to - from };
+    const piece = await cropImage(strip, box, { width: pixels.width, height });
     pen.drawImage(piece, 0, y);
     piece.close();
   }
