@@ -55,7 +55,7 @@ test.each(packers)("the files of %s are listed and read", async (_, pack) => {
 });
 
 test.each(packers)(
-  "names that lead out of an archive of %s are left out, and absolute ones begin at its root",
+  "names that lead out of an archive of %s are left out",
   async (_, pack) => {
     const names = ["../a", "/etc/passwd", "c:/b", "x/../../y", "./good", "a//b"];
     const file = new Blob([pack(Object.fromEntries(names.map((name) => [name, "1"])))]);

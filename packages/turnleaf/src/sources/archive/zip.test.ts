@@ -20,7 +20,7 @@ test("a ZIP's files are listed and read", async () => {
   expect(await messageOf(archive.read("b"))).toBe("book.epub has no file b; get it again.");
 });
 
-test("names that lead out of the archive are left out, and absolute ones begin at its root", async () => {
+test("names that lead out of the archive are left out", async () => {
   const names = ["../a", "/etc/passwd", "c:/b", "x/../../y", "..\\z", "./good", "a//b"];
   const archive = await openZip(zip(Object.fromEntries(names.map((name) => [name, "1"]))), "b");
   expect(archive.names).toEqual(["etc/passwd", "b", "good", "a/b"]);
