@@ -38,7 +38,11 @@ const apart = [
   part("another model of turning, live", 197, "leaf_models lying_sheet loose_leaf"),
   part("recorded turns", 20, "replay sheet_turn shell_turn"),
   part("opens a book of any format", 10, "open"),
-  part("photographs of a turn", 9, "photographs images image_header"),
+  part(
+    "photographs of a turn",
+    9,
+    "photographs images image_header showable_image crop_image utils",
+  ),
   part("folded pages, leaves torn out", 237, "creasable_book folds line_folds tearing torn_pages"),
   part("pages that are elements, live in the air", 1, "live_drawings"),
   part("pages that are scrolled", 4, "roll_view"),
@@ -48,9 +52,12 @@ const apart = [
   part("reads PDF", 1650, "pdf pdf.*.min.mjs cmaps jbig2.wasm openjpeg.wasm Foxit*.pfb"),
   part(
     "reads other formats",
-    211,
-    "budget clean_markup comic data_url epub fb2 font_type html_pages iiif_source kindle media_overlays names package_document parse_markup svg text_book unpacked_archive unpacker unpacker_worker.ts writing_direction xml_text zip",
+    // Tar and Zstandard are 5 of it.
+    217,
+    "budget clean_markup comic data_url epub fb2 font_type html_pages iiif_source kindle legacy_names media_overlays names package_document parse_markup svg tar text_book unpacked_archive unpacker unpacker_worker.ts writing_direction worker_script xml_text zip zstd_stream",
   ),
+  part("decodes TIFF and JPEG 2000", 60, "rare_images rare_size decoder_worker.ts"),
+  part("cuts strips into pages", 2, "strips"),
   // Loaded for a book whose XML is not well-formed.
   part("repairs XML", 29, "repaired_xml"),
   entry("standalone", 157, "standalone_* three.module"),
