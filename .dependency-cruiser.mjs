@@ -103,7 +103,8 @@ const parts = {
 /** Packages that only these places of the viewer may import: heavy ones stay where they are used. */
 const packagePlaces = {
   three: "(webgl|leaf_stage)/",
-  "pdfjs-dist": "sources/pdf",
+  "pdfjs-dist": "sources/(pdf|rare_images/)",
+  utif2: "sources/rare_images/",
   "foliate-js": "sources/epub/",
   "@zip.js/zip.js": "sources/archive/",
   dompurify: "sources/markup/",

@@ -51,6 +51,8 @@ const apart = [
     217,
     "budget clean_markup comic data_url epub fb2 font_type html_pages iiif_source kindle media_overlays names package_document parse_markup svg text_book unpacked_archive unpacker unpacker_worker.ts writing_direction xml_text zip",
   ),
+  part("decodes TIFF and JPEG 2000", 60, "rare_images rare_size decoder_worker.ts"),
+  part("cuts strips into pages", 2, "strips"),
   // Loaded for a book whose XML is not well-formed.
   part("repairs XML", 29, "repaired_xml"),
   entry("standalone", 157, "standalone_* three.module"),

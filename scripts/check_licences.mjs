@@ -40,10 +40,13 @@ const shipped = new Set([
   "@zip.js/zip.js",
   "dompurify",
   "foliate-js",
+  "fzstd",
   "image-size",
   "marked",
+  "pako",
   "pdfjs-dist",
   "three",
+  "utif2",
 ]);
 
 /** Packages that state their licence in their text alone, with what it says there. */

@@ -1,6 +1,7 @@
 import { readdir, readFile, stat } from "node:fs/promises";
 import { dirname, join } from "node:path";
 import { packedFile } from "./packed_files.js";
+import { filesInWorker } from "./worker_inline.js";
 
 /**
  * Writes the licences of all packages of which something is in the built files, as code or packed, into
@@ -12,7 +13,12 @@ export function bundledLicenses() {
     async generateBundle(_, bundle) {
       const folders = new Set();
       for (const { moduleIds = [] } of Object.values(bundle)) {
-        for (const id of moduleIds) for (const folder of await foldersOf(id)) folders.add(folder);
+        for (const id of moduleIds) {
+          const within = this.getModuleInfo(id)?.meta[filesInWorker] ?? [];
+          for (const file of [id, ...within]) {
+            for (const folder of await foldersOf(file)) folders.add(folder);
+          }
+        }
       }
       if (folders.size === 0) return;
       const source = await licensesIn([...folders].sort());

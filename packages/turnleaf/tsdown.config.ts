@@ -55,6 +55,7 @@ const viewer = defineConfig({
       "marked",
       "htmlparser2",
       "entities",
+      "fzstd",
     ],
   },
   outputOptions: {
@@ -77,7 +78,7 @@ const viewer = defineConfig({
         // asked for later.
         {
           name: "open",
-          test: /\/src\/sources\/(open|formats|book_file|fetch_bytes|handed_out|sniff|manifest\w*|page_list|shared_tasks|trusted_script)\.ts/,
+          test: /\/src\/sources\/(archive\/tar_header|open|formats|book_file|fetch_bytes|handed_out|sniff|manifest\w*|page_list|shared_tasks|trusted_script)\.ts/,
         },
       ],
     },

@@ -5,6 +5,9 @@ import { Rolldown } from "tsdown";
 const prefix = "worker:";
 const suffix = ".packed";
 
+/** The name under which a module of a worker's script says which files are within it. */
+export const filesInWorker = "turnleaf-files-in-worker";
+
 /**
  * Lets TypeScript import the script of a worker as text, with all that it imports in it:
  * `await import("worker:./a_worker.ts")` yields gzip in base64, which src/packed.ts unpacks. A worker
@@ -27,13 +30,18 @@ export function workerInline() {
       const { output } = await Rolldown.build({
         input,
         platform: "browser",
+        // Its paths lead to types.
+        tsconfig: false,
         write: false,
         transform: { target: "es2022" },
         output: { format: "esm", minify: true },
       });
-      for (const { moduleIds } of output) for (const file of moduleIds) this.addWatchFile(file);
+      // The bundler's own modules are no files.
+      const files = output[0].moduleIds.filter((id) => !id.startsWith("\0"));
+      for (const file of files) this.addWatchFile(file);
       const base64 = gzipSync(output[0].code, { level: 9 }).toString("base64");
-      return { code: `export default ${JSON.stringify(base64)};`, moduleType: "js", map: null };
+      const code = `export default ${JSON.stringify(base64)};`;
+      return { code, moduleType: "js", map: null, meta: { [filesInWorker]: files } };
     },
   };
 }

@@ -34,7 +34,7 @@ export const help = `Turnleaf shows a book whose pages turn as paper turns.
 
   turnleaf BOOK…                 the same as turnleaf read
   turnleaf read BOOK…            reads a PDF, an EPUB, a MOBI, an AZW3, an FB2, a
-                                 comic (CBZ, CBR, CB7), Markdown, text, an image
+                                 comic (CBZ, CBR, CB7, CBT), Markdown, text, an image
                                  (PNG, JPEG, WebP, AVIF, GIF), a folder of images in their order, or what
                                  is at an address (https://…), a IIIF manifest
                                  too; several books, or a folder of them, as a

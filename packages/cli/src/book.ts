@@ -29,7 +29,7 @@ const mostTextBytes = 16_000_000;
 
 /** What can be read, for sentences. */
 export const readable =
-  "a PDF, an EPUB, a MOBI, an AZW3, an FB2, a comic (CBZ, CBR, CB7), Markdown, text, an image (PNG, JPEG, WebP, AVIF, GIF) or a folder of images";
+  "a PDF, an EPUB, a MOBI, an AZW3, an FB2, a comic (CBZ, CBR, CB7, CBT), Markdown, text, an image (PNG, JPEG, WebP, AVIF, GIF, TIFF, JPEG 2000) or a folder of images";
 
 /**
  * Opens the named file or folder and checks it, so that errors are reported

@@ -15,11 +15,16 @@ const images: ReadonlyMap<string, string> = new Map([
   [".gif", "image/gif"],
   [".webp", "image/webp"],
   [".avif", "image/avif"],
+  [".tif", "image/tiff"],
+  [".tiff", "image/tiff"],
+  [".jp2", "image/jp2"],
+  [".jxl", "image/jxl"],
+  [".heic", "image/heic"],
 ]);
 
 /** Returns what a file of a folder may be by its name's suffix; null for what is no book. */
 export function kindOfName(name: string): NamedKind | null {
-  if (/\.(pdf|epub|mobi|azw3?|fb2|fb2\.zip|cb[zr7])$/i.test(name)) return "book";
+  if (/\.(pdf|epub|mobi|azw3?|fb2|fb2\.zip|cb[zr7t])$/i.test(name)) return "book";
   if (imageTypeOfName(name)) return "image";
   return isMarkdownName(name) || /\.txt$/i.test(name) ? "text" : null;
 }
@@ -34,5 +39,5 @@ export function imageTypeOfName(name: string): string | undefined {
 
 /** Returns whether a name is of an archive, which may hold a comic. */
 export function isArchiveName(name: string): boolean {
-  return /\.(zip|rar|7z)$/i.test(name);
+  return /\.(zip|rar|7z|tar)$/i.test(name);
 }

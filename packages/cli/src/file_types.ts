@@ -12,12 +12,20 @@ const marks: readonly (readonly [string, number, string])[] = [
   ["image/gif", 0, "GIF8"],
   ["image/webp", 8, "WEBP"],
   ["image/avif", 4, "ftypavi"],
+  ["image/tiff", 0, "II*\0"],
+  ["image/tiff", 0, "MM\0*"],
+  ["image/jp2", 4, "jP  \r\n\x87\n"],
+  ["image/jp2", 0, "\xff\x4f\xff\x51"],
+  ["image/jxl", 4, "JXL \r\n\x87\n"],
+  ["image/jxl", 0, "\xff\x0a"],
+  ["image/heic", 4, "ftyphei"],
 ];
 
-const archives: readonly (readonly [string, string])[] = [
-  ["application/zip", "PK\x03\x04"],
-  ["application/vnd.rar", "Rar!\x1a\x07"],
-  ["application/x-7z-compressed", "7z\xbc\xaf\x27\x1c"],
+const archives: typeof marks = [
+  ["application/zip", 0, "PK\x03\x04"],
+  ["application/vnd.rar", 0, "Rar!\x1a\x07"],
+  ["application/x-7z-compressed", 0, "7z\xbc\xaf\x27\x1c"],
+  ["application/x-tar", 257, "ustar"],
 ];
 
 /** A Kindle book: the type of its database, after its name, its dates and the like. */
@@ -67,9 +75,10 @@ export function isKindleType(type: string): boolean {
  * viewer's to find out.
  */
 export function bookType(start: string, name: string): string | undefined {
-  if (start.includes("%PDF-")) return "application/pdf";
-  const archive = archives.find(([, mark]) => start.startsWith(mark));
+  // Before a PDF, which may be the first file in it.
+  const archive = archives.find(([, offset, mark]) => start.startsWith(mark, offset));
   if (archive) return archive[0];
+  if (start.includes("%PDF-")) return "application/pdf";
   const image = imageType(start);
   if (image !== undefined) return image;
   if (start.startsWith(kindle, kindleAt)) return kindleType;

@@ -1,8 +1,11 @@
 /** What the command finds in the first bytes of a file, beside what the viewer finds in them. */
 
 import { expect, test } from "vitest";
+import { tar } from "../../turnleaf/src/for_tests/stored_archives.ts";
 import { type Kind, sniff } from "../../turnleaf/src/sources/sniff.ts";
 import { bookType, isJson, rejectionOf } from "../src/file_types.ts";
+
+const tarStart = Buffer.from(tar({ "a.pdf": "%PDF-" })).toString("latin1", 0, 1029);
 
 /** The first bytes of files of each kind (latin-1), and the type as which the command serves them. */
 const kinds: Readonly<Record<Exclude<Kind, "image">, readonly [string | undefined, string[]]>> = {
@@ -10,6 +13,7 @@ const kinds: Readonly<Record<Exclude<Kind, "image">, readonly [string | undefine
   zip: ["application/zip", ["PK\x03\x04\x14\0"]],
   rar: ["application/vnd.rar", ["Rar!\x1a\x07\x01\0"]],
   "7z": ["application/x-7z-compressed", ["7z\xbc\xaf\x27\x1c\0\x04"]],
+  tar: ["application/x-tar", [tarStart]],
   kindle: ["application/x-mobipocket-ebook", [`${"a".padEnd(60, "\0")}BOOKMOBI`]],
   palmdoc: [undefined, [`${"a".padEnd(60, "\0")}TEXtREAd`]],
   fb2: [
@@ -35,6 +39,10 @@ const images = {
   "image/jpeg": ["\xff\xd8\xff\xe0"],
   "image/gif": ["GIF87a", "GIF89a"],
   "image/webp": ["RIFF\0\0\0\0WEBPVP8 "],
+  "image/tiff": ["II*\0\x08", "MM\0*\0"],
+  "image/jp2": ["\0\0\0\x0cjP  \r\n\x87\n", "\xff\x4f\xff\x51"],
+  "image/jxl": ["\0\0\0\x0cJXL \r\n\x87\n", "\xff\x0a"],
+  "image/heic": ["\0\0\0\x18ftypheic"],
   "image/avif": ["\0\0\0\x20ftypavif", "\0\0\0\x20ftypavis"],
 };
 

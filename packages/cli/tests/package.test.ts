@@ -125,6 +125,10 @@ test("the licences of all that is within the built files are in both packages", 
     for (const name of packages) {
       expect(notices, name).toContain(rootFile(`node_modules/${name}/LICENSE`).trim());
     }
+    // Within a worker, which has no map.
+    for (const name of ["utif2", "utif2/node_modules/pako"]) {
+      expect(notices, name).toContain(rootFile(`node_modules/${name}/LICENSE`).trim());
+    }
   }
   expect(rootFile("packages/turnleaf/dist/license-unpacker.txt")).toContain("libarchive");
 });

@@ -1,4 +1,4 @@
-/** Archives of RAR and 7-Zip whose files are stored as they are: no free program writes RAR. */
+/** Archives of RAR, 7-Zip and tar whose files are stored as they are: no free program writes RAR. */
 
 /** Files of an archive by their paths, in order. */
 export type StoredFiles = Readonly<Record<string, Uint8Array | string>>;
@@ -128,4 +128,43 @@ export function sevenZip(files: StoredFiles, lies: StoredLies = {}): Uint8Array<
   const start = Uint8Array.from([...place, ...lowBytes(crc32(head), 4)]);
   const mark = [0x37, 0x7a, 0xbc, 0xaf, 0x27, 0x1c, 0, 4];
   return join([mark, lowBytes(crc32(start), 4), start, data, head]);
+}
+
+/** How a tar writes paths of more than 100 bytes. */
+export type TarPaths = "GNU" | "POSIX";
+
+/** Returns a tar. */
+export function tar(files: StoredFiles, paths: TarPaths = "POSIX"): Uint8Array<ArrayBuffer> {
+  const parts = entriesOf(files).flatMap(([path, bytes]) => {
+    const name = utf8(path);
+    if (name.length <= 100) return tarEntry(name, "0", bytes);
+    const before =
+      paths === "GNU"
+        ? tarEntry(utf8("././@LongLink"), "L", join([name, [0]]))
+        : tarEntry(utf8("PaxHeader"), "x", extendedLine("path", name));
+    return [...before, ...tarEntry(name.subarray(0, 100), "0", bytes)];
+  });
+  return join([...parts, new Uint8Array(1024)]);
+}
+
+function tarEntry(name: Uint8Array, type: string, bytes: Uint8Array): Uint8Array[] {
+  const block = new Uint8Array(512);
+  block.set(name);
+  block.set(utf8("0000644\x000000\x000000\0"), 100);
+  block.set(
+    utf8(`${bytes.length.toString(8).padStart(11, "0")}\0${"0".repeat(11)}\0        `),
+    124,
+  );
+  block.set(utf8(`${type}${"\0".repeat(100)}ustar\x0000`), 156);
+  const sum = block.reduce((all, byte) => all + byte, 0);
+  block.set(utf8(`${sum.toString(8).padStart(6, "0")}\0 `), 148);
+  return [block, bytes, new Uint8Array(-bytes.length & 511)];
+}
+
+/** Returns a line of an extended header, which says its own length. */
+function extendedLine(key: string, value: Uint8Array): Uint8Array {
+  const rest = join([utf8(` ${key}=`), value, [10]]);
+  const length = [2, 3, 4].map((digits) => digits + rest.length);
+  const own = length.find((one, k) => String(one).length === k + 2) ?? 0;
+  return join([utf8(String(own)), rest]);
 }

@@ -1,9 +1,9 @@
-/** Returns bytes as a `data:` address. */
-export function dataUrl(bytes: Uint8Array<ArrayBuffer>, type: string): Promise<string> {
+/** Returns data as a `data:` address. */
+export function dataUrl(data: BlobPart, type: string): Promise<string> {
   return new Promise((resolve, reject) => {
     const reader = new FileReader();
     reader.onload = () => resolve(reader.result as string);
     reader.onerror = () => reject(reader.error);
-    reader.readAsDataURL(new Blob([bytes], { type }));
+    reader.readAsDataURL(new Blob([data], { type }));
   });
 }

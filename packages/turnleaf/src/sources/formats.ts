@@ -52,6 +52,11 @@ const formats: Readonly<Partial<Record<Kind, Open>>> = {
     const { openZip } = await loadPart(import("./archive/zip.ts"));
     return await openArchived(await openZip(blob, file.name), blob, file.name, options);
   },
+  tar: async (file, options) => {
+    const { blob } = await file.whole(limits.archiveBytes, options.signal);
+    const { openTar } = await loadPart(import("./archive/tar.ts"));
+    return await openArchived(await openTar(blob, file.name), blob, file.name, options);
+  },
   rar: openUnpacked,
   "7z": openUnpacked,
   kindle: async (file, { signal, typography }) => {
@@ -138,7 +143,8 @@ const likely: readonly (readonly [
     /\.(cbr|cb7|rar|7z)$/i,
     async () => (await import("./archive/unpacked_archive.ts")).prepareUnpacking(),
   ],
-  [/\.(cb[zr7])$/i, () => import("./comics/comic.ts")],
+  [/\.cbt$/i, () => import("./archive/tar.ts")],
+  [/\.(cb[zr7t])$/i, () => import("./comics/comic.ts")],
   [/\.(mobi|azw3?)$/i, () => import("./kindle/kindle.ts")],
   [/\.fb2$/i, () => import("./fb2/fb2.ts")],
 ];
@@ -173,7 +179,7 @@ export async function openImages(book: ImageBook): Promise<PageSource> {
 }
 
 const readable =
-  "PDF, EPUB, MOBI, AZW3, FB2, comics (CBZ, CBR, CB7 and other archives of images), Markdown, text, images (PNG, JPEG, WebP, AVIF, GIF, SVG), IIIF manifests and JSON manifests of images can be read.";
+  "PDF, EPUB, MOBI, AZW3, FB2, comics (CBZ, CBR, CB7, CBT and other archives of images), Markdown, text, images (PNG, JPEG, WebP, AVIF, GIF, BMP, SVG, TIFF, JPEG 2000), IIIF manifests and JSON manifests of images can be read.";
 
 const reasons: Readonly<Partial<Record<Kind, string>>> = {
   html: "is a web page, not a book",

@@ -8,6 +8,8 @@ import { GIF } from "image-size/types/gif";
 import { JPG } from "image-size/types/jpg";
 import { PNG } from "image-size/types/png";
 import { WEBP } from "image-size/types/webp";
+import { exifOrientation } from "./exif_orientation.ts";
+import { loadPart } from "./load_part.ts";
 import type { PageSize } from "./page_source.ts";
 import { imageType, type Kind, rareImageType, sniff, sniffLength } from "./sniff.ts";
 
@@ -17,8 +19,8 @@ import { imageType, type Kind, rareImageType, sniff, sniffLength } from "./sniff
  */
 const headerLength = 1 << 20;
 
-/** Bytes in which the sizes of an AVIF and its parts are searched for. */
-const avifLength = 1 << 16;
+/** Bytes in which the sizes of an AVIF or a HEIC and its parts are searched for. */
+const heifLength = 1 << 16;
 
 /** Bytes of a JPEG in which its size is searched for at last: previews and profiles may come before. */
 const longestHeader = 1 << 24;
@@ -51,18 +53,28 @@ export async function typedImage(image: Blob): Promise<Blob> {
 
 /**
  * Returns the size of a typed image in pixels, upright by its EXIF data; null
- * if its header is not understood, as that of an AVIF.
+ * if its header is not understood, as that of an AVIF, or does not tell how the
+ * browser shows it.
  */
 export async function sizeFromHeader(image: Blob): Promise<PageSize | null> {
+  const header = await headerOf(image);
+  return header?.orientation ? upright(header, header.orientation) : null;
+}
+
+/** From an orientation of 5 on an image is turned by a quarter. */
+const upright = ({ width, height }: PageSize, orientation: number): PageSize =>
+  orientation >= 5 ? { width: height, height: width } : { width, height };
+
+/** Returns what a header says, with an orientation as `exifOrientation` returns it; null if it is not understood. */
+async function headerOf(image: Blob): Promise<(PageSize & { orientation: number | null }) | null> {
   const reader = readers[image.type];
   if (!reader) return null;
   const lengths = image.type === "image/jpeg" ? [headerLength, longestHeader] : [headerLength];
   for (const length of lengths) {
     try {
       const start = new Uint8Array(await image.slice(0, length).arrayBuffer());
-      const { width, height, orientation = 1 } = reader.calculate(start);
-      // From 5 on the image is turned by a quarter.
-      return orientation >= 5 ? { width: height, height: width } : { width, height };
+      const { width, height, orientation } = reader.calculate(start);
+      return { width, height, orientation: orientation ?? (await exifOrientation(image)) };
     } catch {
       // There may be more of it.
       if (image.size <= length) return null;
@@ -73,20 +85,31 @@ export async function sizeFromHeader(image: Blob): Promise<PageSize | null> {
 
 /**
  * Returns the size that a typed image claims before it is decoded: its own, or
- * of an AVIF that of its largest part, which may lie turned. Null if its
+ * of an AVIF or a HEIC that of its largest part. Null if its
  * header is not understood.
  */
 export async function claimedSize(image: Blob): Promise<PageSize | null> {
-  if (image.type !== "image/avif") return await sizeFromHeader(image);
-  const start = new DataView(await image.slice(0, avifLength).arrayBuffer());
+  if (/^image\/(tiff|jxl|jp2)$/.test(image.type)) {
+    const { rareSize } = await loadPart(import("./rare_images/rare_size.ts"));
+    return await rareSize(image);
+  }
+  if (!/^image\/(avif|heic)$/.test(image.type)) {
+    const header = await headerOf(image);
+    return header && upright(header, header.orientation ?? 1);
+  }
+  const start = new DataView(await image.slice(0, heifLength).arrayBuffer());
   let largest: PageSize | null = null;
+  let isTurned = false;
   // Each picture in it, the whole and the tiles of a grid, has a box "ispe" (ISO/IEC 23008-12, 6.5.3).
   for (let at = 0; at + 16 <= start.byteLength; at++) {
-    if (start.getUint32(at) !== 0x69737065) continue;
+    const type = start.getUint32(at);
+    // "irot" turns what it is of by so many quarters (6.5.10).
+    if (type === 0x69726f74) isTurned = (start.getUint8(at + 4) & 1) === 1;
+    if (type !== 0x69737065) continue;
     const [width, height] = [start.getUint32(at + 8), start.getUint32(at + 12)];
     if (largest === null || width * height > largest.width * largest.height) {
       largest = { width, height };
     }
   }
-  return largest;
+  return largest && isTurned ? { width: largest.height, height: largest.width } : largest;
 }

@@ -510,10 +510,8 @@ describe("images that browsers show and decode less readily", () => {
   });
 
   it.each([
-    ["II*\0", "a TIFF"],
     ["\xff\x0a", "a JPEG XL"],
     ["\0\0\0\x18ftypheic", "a HEIC"],
-    ["\0\0\0\x0cjP  \r\n\x87\n", "a JPEG 2000"],
   ])("says that %j is %s", async (mark, format) => {
     const bytes = Uint8Array.from(mark.padEnd(64, "\0"), (letter) => letter.charCodeAt(0));
     const source = await openSource(new File([bytes], "a.img"));

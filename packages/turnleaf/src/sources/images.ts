@@ -1,6 +1,7 @@
 import { nameOfUrl } from "./book_text.ts";
+import { cropImage } from "./crop_image.ts";
 import { fetchChecked, readBounded } from "./fetch_bytes.ts";
-import { claimedSize, kindOfFile, sizeFromHeader, typedImage } from "./image_header.ts";
+import { claimedSize, kindOfFile, sizeFromHeader } from "./image_header.ts";
 import { fitPixels, isPageSize, limits, wholePage } from "./limits.ts";
 import { loadPart } from "./load_part.ts";
 import type { ImageBook, ImagePage, StoredImage } from "./manifest.ts";
@@ -16,8 +17,9 @@ import {
   type TextRun,
 } from "./page_source.ts";
 import { SharedTasks } from "./shared_tasks.ts";
-import { mayLieTurned, shownImage } from "./shown_image.ts";
-import { unshownFormat } from "./sniff.ts";
+import { showableImage } from "./showable_image.ts";
+import { shownImage } from "./shown_image.ts";
+import type { Cut, StripPage } from "./strips.ts";
 import { joinedWarnings, lostLines } from "./warnings.ts";
 
 /** Encoded images kept, so that drawing a page sharper does not fetch it again. */
@@ -42,6 +44,8 @@ export class ImageSource implements PageSource {
   readonly #measured = new Set<number>();
   readonly #images = new Map<ImagePage["src"], Blob>();
   readonly #fetching = new SharedTasks<ImagePage["src"], Blob>();
+  /** Where strips are cut. */
+  readonly #cuts = new Map<ImagePage["src"], readonly Cut[]>();
   #closed = false;
 
   constructor(book: ImageBook) {
@@ -85,13 +89,15 @@ export class ImageSource implements PageSource {
     const image = await this.#image(index, signal);
     const size = await this.#measure(index, image);
     signal.throwIfAborted();
-    const own = this.#book.pages[index]?.part ?? wholePage;
+    const { part: own = wholePage, strip } = this.#book.pages[index] ?? {};
     const from = { x: own.x / own.width + region.x, y: own.y / own.height + region.y };
     const part = scaleBox({ ...region, ...from }, size);
     // Vector images are sharp at any size, bitmaps at their own.
     const pixels = fitPixels(part, isSvg(image) ? width : Math.min(width, part.width));
     const whole = region === wholePage && own === wholePage && !isSvg(image);
-    const picture = await this.#decode(index, image, whole ? null : part, pixels);
+    const picture = strip
+      ? await this.#drawStrip(index, image, strip, { size, part, pixels })
+      : await this.#decode(index, image, whole ? null : part, pixels);
     if (!signal.aborted && !this.#closed) return picture;
     picture.close();
     signal.throwIfAborted();
@@ -150,8 +156,10 @@ export class ImageSource implements PageSource {
         { code: "tooLarge", page: index + 1, source: this.#book.name },
       );
     }
-    const { width, height } = this.#book.pages[index]?.part ?? wholePage;
-    const size = { width: pixels.width * width, height: pixels.height * height };
+    const { part: { width, height } = wholePage, strip } = this.#book.pages[index] ?? {};
+    const size = strip
+      ? { width: pixels.width, height: pixels.width * strip.ratio }
+      : { width: pixels.width * width, height: pixels.height * height };
     this.#measured.add(index);
     this.#sizes[index] = size;
     return size;
@@ -169,16 +177,34 @@ export class ImageSource implements PageSource {
       resizeHeight: pixels.height,
       resizeQuality: "high",
     };
-    const drawn = (from: ImageBitmapSource): Promise<ImageBitmap> =>
-      part === null
-        ? createImageBitmap(from, options)
-        : createImageBitmap(from, part.x, part.y, part.width, part.height, options);
     try {
       if (part !== null && isSvg(image)) {
         const { drawSvg } = await loadPart(import("./svg.ts"));
         return await drawSvg(image, part, pixels, this.#place(index));
       }
-      return await drawn(image).catch(async () => await drawn(await shownImage(image)));
+      if (part === null) return await bitmapOf(image, options);
+      const whole = await bitmapOf(image);
+      return await cropImage(whole, part, pixels).finally(() => whole.close());
+    } catch (error) {
+      throw error instanceof BookError ? error : this.#undecodable(index, image);
+    }
+  }
+
+  /** Draws a page of a strip. */
+  async #drawStrip(
+    index: number,
+    image: Blob,
+    strip: StripPage,
+    { size, part, pixels }: { size: PageSize; part: PageBox; pixels: PageSize },
+  ): Promise<ImageBitmap> {
+    const src = this.#book.pages[index]?.src ?? image;
+    try {
+      const { cutsOf, drawStripPage } = await loadPart(import("./strips.ts"));
+      const whole = await bitmapOf(image);
+      const cuts = this.#cuts.get(src) ?? cutsOf(whole, strip);
+      this.#cuts.set(src, cuts);
+      const ends = [cuts[strip.index], cuts[strip.index + 1]] as [Cut, Cut];
+      return await drawStripPage(whole, ends, size, part, pixels).finally(() => whole.close());
     } catch (error) {
       throw error instanceof BookError ? error : this.#undecodable(index, image);
     }
@@ -215,7 +241,7 @@ export class ImageSource implements PageSource {
   }
 
   async #fetch(index: number, src: string | StoredImage, signal: AbortSignal): Promise<Blob> {
-    if (typeof src !== "string") return await typedImage(await src.read());
+    if (typeof src !== "string") return await this.#showable(index, await src.read());
     const place = this.#place(index);
     const response = await fetchChecked(
       src,
@@ -230,21 +256,26 @@ export class ImageSource implements PageSource {
         page: index + 1,
         source: this.#book.name,
       });
-    return await typedImage(
-      new Blob([bytes], { type: response.headers.get("content-type") ?? "" }),
-    );
+    const type = response.headers.get("content-type") ?? "";
+    return await this.#showable(index, new Blob([bytes], { type }));
   }
 
   async #read(index: number, image: Blob): Promise<Blob> {
     try {
-      return await typedImage(image);
-    } catch {
+      return await this.#showable(index, image);
+    } catch (error) {
+      if (error instanceof BookError) throw error;
       throw new BookError(`${this.#place(index)} cannot be read any more; choose the file again.`, {
         code: "gone",
         page: index + 1,
         source: this.#book.name,
       });
     }
+  }
+
+  #showable(index: number, image: Blob): Promise<Blob> {
+    const about = { page: index + 1, source: this.#book.name };
+    return showableImage(image, this.#place(index), about);
   }
 
   #misplacedPdf(index: number): BookError {
@@ -257,19 +288,10 @@ export class ImageSource implements PageSource {
 
   #undecodable(index: number, image: Blob): BookError {
     const place = this.#place(index);
-    const format = unshownFormat(image.type);
-    if (format) {
-      const sentence = `${place} is ${format}, which this browser does not show; convert it to PNG or JPEG.`;
-      return new BookError(sentence, {
-        code: "unsupported",
-        page: index + 1,
-        source: this.#book.name,
-      });
-    }
     return new BookError(
       isSvg(image)
         ? `${place} is damaged, or this page's Content-Security-Policy lacks data: in img-src, by which an SVG is drawn.`
-        : `${place} is damaged or no image; PNG, JPEG, WebP, AVIF, GIF, BMP and SVG can be shown.`,
+        : `${place} is damaged or no image; PNG, JPEG, WebP, AVIF, GIF, BMP, SVG, TIFF and JPEG 2000 can be shown.`,
       { code: "damaged", page: index + 1, source: this.#book.name },
     );
   }
@@ -304,18 +326,22 @@ async function measure(image: Blob): Promise<PageSize> {
     return await sizeOfSvg(image);
   }
   const size = await sizeFromHeader(image);
-  const isBounded = size && size.width * size.height <= limits.imagePixels;
-  if (size && !(isBounded && (await mayLieTurned(image)))) return size;
+  if (size) return size;
   const claimed = await claimedSize(image);
   const isTooLarge = claimed && claimed.width * claimed.height > limits.imagePixels;
   return isTooLarge ? claimed : await measureByDecoding(image);
 }
 
 async function measureByDecoding(image: Blob): Promise<PageSize> {
-  const bitmap = await createImageBitmap(image).catch(
-    async () => await createImageBitmap(await shownImage(image)),
-  );
+  const bitmap = await bitmapOf(image);
   const size = { width: bitmap.width, height: bitmap.height };
   bitmap.close();
   return size;
+}
+
+/** Returns all of an image, upright. Rejects if the browser shows none of it. */
+async function bitmapOf(image: Blob, options: ImageBitmapOptions = {}): Promise<ImageBitmap> {
+  return await createImageBitmap(image, options).catch(
+    async () => await createImageBitmap(await shownImage(image), options),
+  );
 }

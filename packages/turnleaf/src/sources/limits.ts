@@ -11,6 +11,8 @@ export const limits = {
   pixels: 16_000_000,
   /** Pixels of an encoded image before it is drawn smaller. */
   imagePixels: 120_000_000,
+  /** Milliseconds in which an image is decoded that the browser does not show. */
+  decodingTime: 60_000,
   /** Bytes of one encoded image. */
   imageBytes: 100_000_000,
   /** Bytes of a PDF; more does not fit in one array in every browser. */

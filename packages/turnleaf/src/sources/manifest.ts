@@ -19,6 +19,7 @@ import type {
   PageSize,
   TextRun,
 } from "./page_source.ts";
+import type { StripPage } from "./strips.ts";
 
 /** An image that is read when it is needed, as from an archive. */
 export interface StoredImage {
@@ -34,6 +35,8 @@ export interface ImagePage {
   readonly src: string | Blob | StoredImage;
   /** The part of the image that is this page, in fractions of it. The default is all of it. */
   readonly part?: PageBox;
+  /** If the image is a strip that goes over several pages, which of them this is: then it has no `part`. */
+  readonly strip?: StripPage;
   /** Where it has to lie in a spread, as `PageSource.inSpread` returns it. */
   readonly inSpread?: "first" | "second" | "alone";
   /** Pixels of the page, if they are known before the image is fetched. */

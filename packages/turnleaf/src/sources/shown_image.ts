@@ -3,21 +3,15 @@
 import { dataUrl } from "./data_url.ts";
 import { limits } from "./limits.ts";
 
-/** Bytes in which a picture of PNG or WebP says how it lies. */
-const orientationLength = 1 << 16;
-
 /** Pixels along each side of the sample in which anything is looked for. */
 const sampleSize = 64;
-
-/** Data of a camera, in PNG and in WebP. */
-const cameraData = /eXIf|EXIF/;
 
 /**
  * Returns a picture drawn as an element shows it: one that breaks off as far as it goes. Rejects if the
  * browser shows none of it, it is too large, or the page's policy allows no images as data.
  */
 export async function shownImage(image: Blob): Promise<OffscreenCanvas> {
-  const address = await dataUrl(new Uint8Array(await image.arrayBuffer()), image.type);
+  const address = await dataUrl(image, image.type);
   const element = new Image();
   const loaded = new Promise((resolve, reject) => {
     element.onload = resolve;
@@ -39,11 +33,4 @@ function isEmpty(canvas: OffscreenCanvas): boolean {
   pen?.drawImage(canvas, 0, 0, sampleSize, sampleSize);
   const { data } = pen?.getImageData(0, 0, sampleSize, sampleSize) ?? { data: [] };
   return data.every((value) => value === 0);
-}
-
-/** Returns whether a picture may lie turned in a way that its header's size does not say. */
-export async function mayLieTurned(image: Blob): Promise<boolean> {
-  if (!/^image\/(png|webp)$/.test(image.type)) return false;
-  const start = await image.slice(0, orientationLength).arrayBuffer();
-  return cameraData.test(new TextDecoder("latin1").decode(start));
 }

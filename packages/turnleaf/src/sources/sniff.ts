@@ -1,3 +1,5 @@
+import { readTarHeader } from "./archive/tar_header.ts";
+
 /** The kind of a file, as far as its first bytes show. */
 export type Kind =
   | "pdf"
@@ -7,6 +9,7 @@ export type Kind =
   | "zip"
   | "rar"
   | "7z"
+  | "tar"
   | "kindle"
   | "palmdoc"
   | "fb2"
@@ -45,6 +48,9 @@ const rareImages: typeof images = [
   ["image/heic", 4, "ftypmif1"],
   ["image/tiff", 0, "II*\0"],
   ["image/tiff", 0, "MM\0*"],
+  // BigTIFF.
+  ["image/tiff", 0, "II+\0"],
+  ["image/tiff", 0, "MM\0+"],
   ["image/jxl", 0, "\xff\x0a"],
   ["image/jxl", 4, "JXL \r\n\x87\n"],
   ["image/jp2", 4, "jP  \r\n\x87\n"],
@@ -87,6 +93,8 @@ const fictionBook = [/^<(\?xml|!--|!doctype fictionbook|fictionbook)/i, /<fictio
 export function sniff({ start, type }: FileStart): Kind {
   const text = latin1(start.subarray(0, sniffLength));
   if (imageType(start) ?? rareImageType(start)) return "image";
+  // Before what may be within its first file.
+  if (readTarHeader(start)) return "tar";
   if (text.includes(pdfMark)) return "pdf";
   if (text.startsWith(zip)) return "zip";
   if (text.startsWith(rar)) return "rar";

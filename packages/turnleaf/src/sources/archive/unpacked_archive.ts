@@ -11,7 +11,7 @@ import { limits } from "../limits.ts";
 import { loadPart } from "../load_part.ts";
 import { BookError } from "../page_source.ts";
 import { trustedScript } from "../trusted_script.ts";
-import { scriptAddress } from "../worker_script.ts";
+import { scriptOfWorker, workerNotStarted } from "../worker_script.ts";
 import type { Archive } from "./archive.ts";
 import { marksLength, type Obstacle, obstacleIn } from "./archive_marks.ts";
 import { cleanPath } from "./names.ts";
@@ -38,7 +38,7 @@ const startingTime = 60_000;
 /** Maximum of characters quoted from libarchive. */
 const detailLength = 200;
 
-let script: Promise<string> | undefined;
+const workerScript = scriptOfWorker(() => import("worker:./unpacker/unpacker_worker.ts"));
 
 /** Loads what unpacks. */
 export async function prepareUnpacking(): Promise<void> {
@@ -71,16 +71,6 @@ export async function openUnpacked(
   const task = { code: await unpack(packed.default), file, bounds };
   signal?.throwIfAborted();
   return new UnpackedArchive(name, await unpackInWorker(address, task, bounds.time, name, signal));
-}
-
-function workerScript(): Promise<string> {
-  script ??= import("worker:./unpacker/unpacker_worker.ts").then(async ({ default: packed }) => {
-    return await scriptAddress(await unpack(packed));
-  });
-  script.catch(() => {
-    script = undefined;
-  });
-  return script;
 }
 
 /** A file of an archive, or why it is not there. */
@@ -144,7 +134,7 @@ function unpackInWorker(
           );
           break;
         case "forbidden":
-          fail(notStarted(name, new Error(message.detail)));
+          fail(workerNotStarted(name, "unpacks it", new Error(message.detail)));
           break;
         case "end":
           stop();
@@ -154,7 +144,9 @@ function unpackInWorker(
     signal?.addEventListener("abort", abort);
     try {
       worker = new Worker(trustedScript(address), { type: "module" });
-      failAfter(startingTime, () => notStarted(name, new Error("It gave no sign of life.")));
+      failAfter(startingTime, () =>
+        workerNotStarted(name, "unpacks it", new Error("It gave no sign of life.")),
+      );
       worker.onmessage = ({ data }: MessageEvent<WorkerMessage>) => take(data);
       worker.onmessageerror = () => fail(notUnpacked(name, "a message could not be read"));
       worker.onerror = (event) => {
@@ -162,12 +154,14 @@ function unpackInWorker(
         // An event without a message comes from a script that could not be loaded.
         const { message } = event;
         fail(
-          message ? notUnpacked(name, message) : notStarted(name, new Error("It did not load.")),
+          message
+            ? notUnpacked(name, message)
+            : workerNotStarted(name, "unpacks it", new Error("It did not load.")),
         );
       };
       worker.postMessage(task);
     } catch (error) {
-      fail(notStarted(name, error));
+      fail(workerNotStarted(name, "unpacks it", error));
     }
   });
 }
@@ -260,21 +254,6 @@ function notUnpacked(what: string, detail: string): BookError {
     code: "damaged",
     source: what,
   });
-}
-
-/** Returns the error for a worker that the browser did not start, or in which it forbids WASM. */
-function notStarted(name: string, cause: unknown): BookError {
-  const said = String(cause);
-  let remedy = "allow blob: in worker-src of this page's Content-Security-Policy";
-  if (/Trusted/.test(said)) {
-    remedy = "allow turnleaf in trusted-types of this page's Content-Security-Policy";
-  } else if (/wasm|WebAssembly|CompileError/i.test(said)) {
-    remedy = "allow 'wasm-unsafe-eval' in script-src of this page's Content-Security-Policy";
-  }
-  return new BookError(
-    `${name} cannot be read, as the browser did not start the script that unpacks it; ${remedy}.`,
-    { code: "blocked", source: name, cause },
-  );
 }
 
 function quoted(text: string): string {

@@ -23,7 +23,7 @@ test("a ZIP's files are listed and read", async () => {
 test("names that lead out of the archive are left out", async () => {
   const names = ["../a", "/etc/passwd", "c:/b", "x/../../y", "..\\z", "./good", "a//b"];
   const archive = await openZip(zip(Object.fromEntries(names.map((name) => [name, "1"]))), "b");
-  expect(archive.names).toEqual(["good", "a/b"]);
+  expect(archive.names).toEqual(["etc/passwd", "b", "good", "a/b"]);
 });
 
 test("a file that unpacks to more than its bound is rejected, whatever it claims", async () => {
@@ -76,4 +76,29 @@ test("a ZIP cut off anywhere, or with any byte changed, fails in a sentence or i
       expect((error as Error).name).toBe("BookError");
     }
   }
+});
+
+/** ZIPs of one file, a.txt, packed otherwise than by Deflate. */
+const packed = {
+  Deflate64:
+    "UEsDBD8AAAAJAAAAIQDLMoquPQAAAHsAAAAFAAAAYS50eHQFwbEJADAAw7BXckjpN4YMhvT/qdJ5t+hSdCm6FF2KLkWXokvRpehSdCm6FF2KLkWXokvRpehSdCm6FF0+UEsBAj8APwAAAAkAAAAhAMsyiq49AAAAewAAAAUAAAAAAAAAAAAAAAAAAAAAAGEudHh0UEsFBgAAAAABAAEAMwAAAGAAAAAAAA==",
+  Zstandard:
+    "UEsDBD8AAABdAAAAIQDLMoquGQAAAHsAAAAFAAAAYS50eHQotS/9IHuFAABIPHA+aGVsbG8gAQAvaTkCUEsBAj8APwAAAF0AAAAhAMsyiq4ZAAAAewAAAAUAAAAAAAAAAAAAAAAAAAAAAGEudHh0UEsFBgAAAAABAAEAMwAAADwAAAAAAA==",
+  bzip2:
+    "UEsDBD8AAAAMAAAAIQDLMoquNwAAAHsAAAAFAAAAYS50eHRCWmg5MUFZJlNZInXP4gAAChmAQAAABQJEwAAgACCpQPSEMCKRrKRuQ9SMEZ8XckU4UJAidc/iUEsBAj8APwAAAAwAAAAhAMsyiq43AAAAewAAAAUAAAAAAAAAAAAAAAAAAAAAAGEudHh0UEsFBgAAAAABAAEAMwAAAFoAAAAAAA==",
+};
+const packedZip = (name: keyof typeof packed): Blob =>
+  new Blob([Uint8Array.from(atob(packed[name]), (letter) => letter.charCodeAt(0))]);
+
+test.each(["Deflate64", "Zstandard"] as const)("a file packed by %s is read", async (name) => {
+  const archive = await openZip(packedZip(name), "a.cbz");
+  expect(text(await archive.read("a.txt"))).toBe(`<p>${"hello ".repeat(20)}`);
+  expect(text(await archive.readStart("a.txt", 3))).toMatch(/^<p>/);
+});
+
+test("of a file packed by bzip2 it is said so", async () => {
+  const archive = await openZip(packedZip("bzip2"), "a.cbz");
+  expect(await messageOf(archive.read("a.txt"))).toBe(
+    "a.txt in a.cbz is packed by bzip2, which cannot be unpacked here; pack it again as usual, by Deflate.",
+  );
 });

@@ -2,10 +2,12 @@ import {
   BlobReader,
   configure,
   type FileEntry,
+  registerCodec,
   ZipReader,
 } from "@zip.js/zip.js/lib/zip-core-native.js";
 import { unknownFailure } from "../failures.ts";
 import { limits } from "../limits.ts";
+import { loadPart } from "../load_part.ts";
 import { BookError } from "../page_source.ts";
 import type { Archive } from "./archive.ts";
 import { legacyNames } from "./legacy_names.ts";
@@ -13,6 +15,23 @@ import { cleanPath } from "./names.ts";
 
 // Workers would have to be allowed by the page's policy; the browser inflates in the background.
 configure({ useWebWorkers: false });
+
+/** The number of Zstandard, and of compressions that are not unpacked, with their names (APPNOTE.TXT, 4.4.5). */
+const zstandard = 93;
+const notUnpacked: ReadonlyMap<number, string> = new Map([
+  [1, "Shrink"],
+  [2, "Reduce"],
+  [3, "Reduce"],
+  [4, "Reduce"],
+  [5, "Reduce"],
+  [6, "Implode"],
+  [12, "bzip2"],
+  [14, "LZMA"],
+  [95, "XZ"],
+  [96, "packed JPEG"],
+  [97, "WavPack"],
+  [98, "PPMd"],
+]);
 
 /**
  * Opens a ZIP, of which only the directory is read. Rejects with a `BookError`
@@ -38,6 +57,14 @@ export async function openZip(file: Blob, name: string): Promise<Archive> {
     }
   } catch (error) {
     throw damaged(name, error);
+  }
+  if (found.some(({ compressionMethod }) => compressionMethod === zstandard)) {
+    const { ZstdStream } = await loadPart(import("./zstd_stream.ts"));
+    registerCodec({
+      compressionMethod: zstandard,
+      format: "zstd",
+      DecompressionStream: ZstdStream,
+    });
   }
   const entries = new Map<string, FileEntry>();
   for (const [filename, entry] of named(found)) {
@@ -94,6 +121,13 @@ class ZipArchive implements Archive {
         code: "locked",
         source: this.#name,
       });
+    }
+    const packing = notUnpacked.get(entry.compressionMethod);
+    if (packing !== undefined) {
+      throw new BookError(
+        `${name} in ${this.#name} is packed by ${packing}, which cannot be unpacked here; pack it again as usual, by Deflate.`,
+        { code: "unsupported", source: name },
+      );
     }
     const tooLarge = new BookError(
       `${name} in ${this.#name} is larger than ${Math.floor(most / (1 << 20))} MB when unpacked; make it smaller.`,

@@ -1,6 +1,6 @@
 import { strToU8, type Zippable, zipSync } from "fflate";
 import { expect, test } from "vitest";
-import { rar4, rar5, sevenZip } from "../../for_tests/stored_archives.ts";
+import { rar4, rar5, sevenZip, tar } from "../../for_tests/stored_archives.ts";
 import { fixture } from "../archive/unpacker/fixtures_for_tests.ts";
 import { messageOf } from "../message_of.ts";
 import { openSource } from "../open.ts";
@@ -129,7 +129,7 @@ test("a page that is cut off or claims 50,000 x 50,000 pixels fails alone", asyn
   const source = await comic({ "1.png": page, "2.png": page.slice(0, 60), "3.png": huge });
   expect((await source.draw(0, 10, never)).width).toBe(10);
   expect(await messageOf(source.draw(1, 10, never))).toBe(
-    "Page 2 of Hero 1.cbz (2.png) is damaged or no image; PNG, JPEG, WebP, AVIF, GIF, BMP and SVG can be shown.",
+    "Page 2 of Hero 1.cbz (2.png) is damaged or no image; PNG, JPEG, WebP, AVIF, GIF, BMP, SVG, TIFF and JPEG 2000 can be shown.",
   );
   expect(await messageOf(source.draw(2, 10, never))).toBe(
     "Page 3 of Hero 1.cbz (3.png) has 50000 x 50000 pixels, more than can be shown; make it smaller.",
@@ -146,6 +146,7 @@ const packers: readonly [name: string, pack: Pack][] = [
   ["Hero 1.cbr", rar4],
   ["Hero 1.rar", rar5],
   ["Hero 1.cb7", sevenZip],
+  ["Hero 1.cbt", tar],
 ];
 
 test.each(packers)("%s is a comic as one in a ZIP is", async (name, pack) => {
@@ -177,7 +178,7 @@ test.each(packers)("%s without images, or with a page that is damaged", async (n
   const source = await comic({ "1.png": page, "2.png": page.slice(0, 60) }, pack, name);
   expect((await source.draw(0, 10, never)).width).toBe(10);
   expect(await messageOf(source.draw(1, 10, never))).toBe(
-    `Page 2 of ${name} (2.png) is damaged or no image; PNG, JPEG, WebP, AVIF, GIF, BMP and SVG can be shown.`,
+    `Page 2 of ${name} (2.png) is damaged or no image; PNG, JPEG, WebP, AVIF, GIF, BMP, SVG, TIFF and JPEG 2000 can be shown.`,
   );
 });
 

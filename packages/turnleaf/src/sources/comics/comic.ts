@@ -2,17 +2,19 @@
 
 import type { Archive } from "../archive/archive.ts";
 import { cleanText } from "../book_text.ts";
-import { sizeFromHeader, typedImage } from "../image_header.ts";
+import { claimedSize, sizeFromHeader, typedImage } from "../image_header.ts";
 import { ImageSource } from "../images.ts";
 import { limits } from "../limits.ts";
 import type { ImagePage, StoredImage } from "../manifest.ts";
 import { BookError, type OutlineEntry, type PageSize, type PageSource } from "../page_source.ts";
 import { imageType, rareImageType, sniffLength } from "../sniff.ts";
+import { pagesOfStrip } from "../strips.ts";
 import { WarningList, warningOf } from "../warnings.ts";
 import { decodeXml } from "../xml_text.ts";
 import { type ComicInfo, noInfo, readComicInfo } from "./comic_info.ts";
 
-const imageName = /\.(jpe?g|jpe|jfif|png|gif|webp|avif|bmp|svg)$/i;
+const imageName =
+  /\.(jpe?g|jpe|jfif|png|gif|webp|avif|bmp|svg|tiff?|jp2|jpx|j2[ck]|jpf|jxl|hei[cf])$/i;
 /** What systems and shared drives leave in archives beside their pages: folders and hidden files. */
 const junk =
   /^(\.|__MACOSX$|@eaDir$|@__thumb$|#recycle$|\$RECYCLE\.BIN$|lost\+found$|System Volume Information$)/i;
@@ -38,6 +40,12 @@ const infoBytes = 4_000_000;
  * are those of about two of the book's usual pages.
  */
 const [leastDouble, mostDouble] = [1.6, 2.5];
+
+/** The proportions of a page of a comic that is printed, where a comic has no pages: some 170 by 255 mm. */
+const printedRatio = 2 / 3;
+
+/** A scan is a strip that is scrolled if, whole on a page of the book, it is less wide than so much of it. */
+const leastWidth = 1 / 2;
 
 /**
  * Returns the book that an archive of images is. It closes the archive. Rejects
@@ -66,8 +74,8 @@ export async function openComic(archive: Archive, file: Blob, name: string): Pro
       warnings.add(warningOf("contents", path, name));
     });
     const scans = coverFirst(await measureAll(archive, files, info));
-    const ratio = usualRatio(scans);
-    const pages = scans.flatMap((scan) => pagesOf(scan, info.direction, ratio));
+    const format = formatOf(scans);
+    const pages = scans.flatMap((scan) => pagesOf(scan, info.direction, format));
     if (pages.length === 0)
       throw new BookError(`${name} marks all its pages as deleted.`, {
         code: "empty",
@@ -75,7 +83,7 @@ export async function openComic(archive: Archive, file: Blob, name: string): Pro
       });
     return new ImageSource({
       name,
-      title: info.title || name.replace(/\.(cb[rz7]|rar|7z)$/i, "") || name,
+      title: info.title || name.replace(/\.(cb[rz7t]|rar|7z|tar)$/i, "") || name,
       language: info.language,
       direction: info.direction,
       kind: "scan",
@@ -160,8 +168,8 @@ interface Scan {
   readonly size: PageSize | null;
   /** Whether its bytes are none of an image. */
   readonly isDamaged: boolean;
-  /** Whether ComicInfo.xml says that it is of two pages. */
-  readonly double: boolean;
+  /** Whether ComicInfo.xml says that it is of two pages; null if it does not say. */
+  readonly double: boolean | null;
   readonly bookmark: string;
   /** Whether it is the first or the last, which are covers. */
   readonly isCover: boolean;
@@ -188,8 +196,8 @@ async function measureAll(
         path,
         image,
         isDamaged: start === null || start.type === "",
-        size: start && (await sizeOf(start)),
-        double: page?.double ?? false,
+        size: start && (await sizeOf(start, archive, path)),
+        double: page?.double ?? null,
         bookmark: page?.bookmark ?? "",
         isCover: false,
       };
@@ -209,15 +217,36 @@ async function startOf(archive: Archive, path: string): Promise<Blob | null> {
 }
 
 /** Returns an image's size by its header; null if that does not say, or is damaged. */
-async function sizeOf(start: Blob): Promise<PageSize | null> {
-  const size = await sizeFromHeader(start).catch(() => null);
-  return size && size.width > 0 && size.height > 0 ? size : null;
+async function sizeOf(start: Blob, archive: Archive, path: string): Promise<PageSize | null> {
+  try {
+    const size =
+      (await claimedBy(start)) ??
+      (await claimedBy(await typedImage(new Blob([await archive.read(path, limits.imageBytes)]))));
+    return size && size.width > 0 && size.height > 0 ? size : null;
+  } catch {
+    return null;
+  }
 }
 
-/** Returns the median of the scans' proportions, width over height. */
-function usualRatio(scans: readonly Scan[]): number {
+/** Returns the size that an image's first bytes, or all of them, claim; null if they do not say. */
+async function claimedBy(image: Blob): Promise<PageSize | null> {
+  return (await sizeFromHeader(image)) ?? (await claimedSize(image));
+}
+
+/** What a comic's pages are. */
+interface Format {
+  /** Their usual proportions, width over height. */
+  readonly ratio: number;
+  /** Whether most scans are strips: then a wide one is a wide picture, and no spread. */
+  readonly isScrolled: boolean;
+}
+
+function formatOf(scans: readonly Scan[]): Format {
   const ratios = scans.flatMap(({ size }) => (size ? [size.width / size.height] : []));
-  return ratios.sort((a, b) => a - b)[(ratios.length - 1) >> 1] ?? 1;
+  const paged = ratios.filter((ratio) => ratio >= printedRatio * leastWidth);
+  if (2 * paged.length < ratios.length) return { ratio: printedRatio, isScrolled: true };
+  const median = paged.sort((a, b) => a - b)[(paged.length - 1) >> 1];
+  return { ratio: median ?? printedRatio, isScrolled: false };
 }
 
 interface Page {
@@ -227,13 +256,24 @@ interface Page {
   readonly bookmark: string;
 }
 
-/** Returns a scan as a page, or as two that face each other if it is of a spread. */
-function pagesOf(scan: Scan, direction: "ltr" | "rtl", usual: number): Page[] {
+/** Returns a scan as a page, as two that face each other if it is of a spread, or as those of a strip. */
+function pagesOf(
+  scan: Scan,
+  direction: "ltr" | "rtl",
+  { ratio: usual, isScrolled }: Format,
+): Page[] {
   const { image: src, size, bookmark } = scan;
   const ratio = size ? size.width / size.height / usual : 1;
-  const isDouble = (scan.double && ratio > 1) || (ratio > leastDouble && ratio < mostDouble);
+  const damaged = scan.isDamaged ? { damaged: scan.path } : {};
+  if (size && ratio < leastWidth) {
+    const page = { width: size.width, height: size.width / usual };
+    return pagesOfStrip(size, 1 / usual).map((strip, k) => {
+      return { page: { src, size: page, strip }, bookmark: k === 0 ? bookmark : "" };
+    });
+  }
+  const looksDouble = !isScrolled && ratio > leastDouble && ratio < mostDouble;
+  const isDouble = scan.double === null ? looksDouble : scan.double && ratio > 1;
   if (!isDouble || scan.isCover) {
-    const damaged = scan.isDamaged ? { damaged: scan.path } : {};
     return [{ page: { src, ...(size ? { size } : {}) }, bookmark, ...damaged }];
   }
   const half = size ? { size: { width: size.width / 2, height: size.height } } : {};

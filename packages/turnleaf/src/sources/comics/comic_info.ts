@@ -6,8 +6,8 @@ import { readMarkup } from "../markup/read_markup.ts";
 
 /** What ComicInfo.xml says of a page. */
 export interface ComicPage {
-  /** Whether it is both pages of a spread. */
-  readonly double: boolean;
+  /** Whether it is both pages of a spread; null if nothing is said. */
+  readonly double: boolean | null;
   /** Whether it is not to be shown. */
   readonly deleted: boolean;
   /** The title of a bookmark on it, or "". */
@@ -57,7 +57,9 @@ function pageOf(element: Element): [number, ComicPage][] {
     [
       index,
       {
-        double: element.getAttribute("DoublePage")?.toLowerCase() === "true",
+        double: element.hasAttribute("DoublePage")
+          ? element.getAttribute("DoublePage")?.toLowerCase() === "true"
+          : null,
         deleted: element.getAttribute("Type") === "Deleted",
         bookmark: cleanText(element.getAttribute("Bookmark")),
       },

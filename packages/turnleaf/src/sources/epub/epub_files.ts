@@ -2,12 +2,11 @@ import type { Archive } from "../archive/archive.ts";
 import { FilePaths } from "../archive/file_paths.ts";
 import { dataUrl } from "../data_url.ts";
 import { fontType } from "../font_type.ts";
-import { claimedSize } from "../image_header.ts";
 import { limits } from "../limits.ts";
 import { type CleanSheet, cleanCss, inMedia, lengthOf, readSheets } from "../markup/clean_css.ts";
 import type { MarkupFiles } from "../markup/clean_markup.ts";
 import { checkedData } from "../markup/data_address.ts";
-import { imageType, sniffLength } from "../sniff.ts";
+import { pictureData } from "../showable_image.ts";
 import { decodeXml } from "../xml_text.ts";
 import { KeptValues } from "./kept_values.ts";
 
@@ -105,15 +104,8 @@ export class EpubFiles {
   async #readData(path: string): Promise<string | null> {
     const bytes = await this.#archive.read(path, limits.imageBytes);
     await this.#decode(path, bytes);
-    const start = bytes.subarray(0, sniffLength);
-    const image = imageType(start);
-    if (image !== null) {
-      const size = await claimedSize(new Blob([bytes], { type: image }));
-      if (size && size.width * size.height > limits.imagePixels) return null;
-      return await dataUrl(bytes, image);
-    }
-    const font = fontType(start);
-    return font && (await dataUrl(bytes, font));
+    const font = fontType(bytes);
+    return font ? await dataUrl(bytes, font) : await pictureData(bytes, path);
   }
 
   /** Returns a style sheet after those that it imports. */

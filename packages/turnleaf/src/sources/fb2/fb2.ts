@@ -2,15 +2,13 @@
 
 import { bytesOf } from "../book_file.ts";
 import { cleanLanguage, cleanText, decodeEscapes } from "../book_text.ts";
-import { dataUrl } from "../data_url.ts";
 import { unknownFailure } from "../failures.ts";
-import { claimedSize } from "../image_header.ts";
 import { limits } from "../limits.ts";
 import { cleanMarkup, type MarkupFiles } from "../markup/clean_markup.ts";
 import { parseMarkup } from "../markup/parse_markup.ts";
 import { readMarkup } from "../markup/read_markup.ts";
 import { type BookDetail, BookError, type PageSource, type Typography } from "../page_source.ts";
-import { imageType, sniffLength } from "../sniff.ts";
+import { pictureData } from "../showable_image.ts";
 import type {
   FlowBook,
   FlowContent,
@@ -302,12 +300,7 @@ async function pictureIn(base64: string): Promise<string | null> {
   try {
     const letters = atob(base64.replace(/\s+/g, ""));
     const bytes = Uint8Array.from(letters, (letter) => letter.charCodeAt(0));
-    const type = imageType(bytes.subarray(0, sniffLength));
-    if (type === null) return null;
-    const size = await claimedSize(new Blob([bytes], { type }));
-    return size && size.width * size.height > limits.imagePixels
-      ? null
-      : await dataUrl(bytes, type);
+    return await pictureData(bytes, "A picture");
   } catch {
     return null;
   }

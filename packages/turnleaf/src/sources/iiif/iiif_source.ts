@@ -1,7 +1,7 @@
 /** Books by IIIF: pages whose images a server sends in the size that is wanted. */
 
 import { fetchChecked, readBounded } from "../fetch_bytes.ts";
-import { claimedSize, sizeFromHeader, typedImage } from "../image_header.ts";
+import { claimedSize, sizeFromHeader } from "../image_header.ts";
 import { fitPixels, limits, wholePage } from "../limits.ts";
 import {
   type BookDetail,
@@ -15,6 +15,7 @@ import {
   type TextRun,
 } from "../page_source.ts";
 import { SharedTasks } from "../shared_tasks.ts";
+import { showableImage } from "../showable_image.ts";
 import { lostLines, WarningList, warningOf } from "../warnings.ts";
 import { annotationsIn, textOn } from "./annotations.ts";
 import { type ImageInfo, parseInfo, partsFor, sharpestWidth } from "./image_service.ts";
@@ -352,8 +353,14 @@ class IiifSource implements PageSource {
   async #image(index: number, url: string, signal: AbortSignal): Promise<Blob> {
     const kept = this.#images.get(url);
     this.#images.delete(url);
+    const about = { page: index + 1, source: this.#book.name };
     const image =
-      kept ?? (await typedImage(await this.#fetch(index, url, limits.imageBytes, signal)));
+      kept ??
+      (await showableImage(
+        await this.#fetch(index, url, limits.imageBytes, signal),
+        this.#place(index),
+        about,
+      ));
     this.#check(index, signal);
     this.#images.set(url, image);
     for (const oldest of this.#images.keys()) {

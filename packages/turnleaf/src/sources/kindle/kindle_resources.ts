@@ -2,8 +2,8 @@
 
 import { dataUrl } from "../data_url.ts";
 import { fontType } from "../font_type.ts";
-import { claimedSize } from "../image_header.ts";
 import { limits } from "../limits.ts";
+import { pictureData } from "../showable_image.ts";
 import { imageType, sniffLength } from "../sniff.ts";
 import { mark } from "./kindle_header.ts";
 
@@ -25,16 +25,11 @@ export class KindleResources {
   async data(index: number): Promise<string | null> {
     try {
       const bytes = await this.#bytes(index);
-      const image = imageType(bytes.subarray(0, sniffLength));
-      if (image === null) {
-        const font = fontType(bytes);
-        return font && (await dataUrl(bytes, font));
-      }
+      const font = fontType(bytes);
+      if (font) return await dataUrl(bytes, font);
       // A drawing would have addresses of its own; it is never a record.
-      if (image === "image/svg+xml") return null;
-      const size = await claimedSize(new Blob([bytes], { type: image }));
-      if (size && size.width * size.height > limits.imagePixels) return null;
-      return await dataUrl(bytes, image);
+      if (imageType(bytes.subarray(0, sniffLength)) === "image/svg+xml") return null;
+      return await pictureData(bytes, `Picture ${index + 1}`);
     } catch {
       return null;
     }

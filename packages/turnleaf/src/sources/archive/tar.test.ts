@@ -1,0 +1,58 @@
+import { expect, test } from "vitest";
+import { tar } from "../../for_tests/stored_archives.ts";
+import { limits } from "../limits.ts";
+import { messageOf } from "../message_of.ts";
+import { sniff } from "../sniff.ts";
+import { openTar } from "./tar.ts";
+
+const text = (bytes: Uint8Array): string => new TextDecoder().decode(bytes);
+const kindOf = (bytes: Uint8Array): string => sniff({ start: bytes.subarray(0, 1029), type: "" });
+
+const long = `${"folder/".repeat(20)}ü.txt`;
+
+test.each(["GNU", "POSIX"] as const)(
+  "the files of a tar as %s writes it are listed and read",
+  async (paths) => {
+    const bytes = tar({ "/a/ü.txt": "hello", "b.txt": "<p>", [long]: "far", "../c": "x" }, paths);
+    expect(kindOf(bytes)).toBe("tar");
+    const archive = await openTar(new Blob([bytes]), "a.cbt");
+    expect(archive.names).toEqual(["a/ü.txt", "b.txt", long]);
+    expect(archive.size("a/ü.txt")).toBe(5);
+    expect(text(await archive.read("b.txt"))).toBe("<p>");
+    expect(text(await archive.read(long))).toBe("far");
+    expect(text(await archive.readStart("a/ü.txt", 2))).toBe("he");
+    expect(await messageOf(archive.read("d"))).toBe("a.cbt has no file d; get it again.");
+    expect(await messageOf(archive.read("b.txt", 2))).toBe(
+      "b.txt in a.cbt is larger than 0 MB; make it smaller.",
+    );
+  },
+);
+
+test("of a tar that is cut off anywhere the files before are read", async () => {
+  const bytes = tar({ a: "first", b: "second" });
+  for (let length = 0; length < bytes.length; length += 100) {
+    const archive = await openTar(new Blob([bytes.slice(0, length)]), "a.cbt");
+    expect(archive.names).toEqual(length < 512 ? [] : length < 3 * 512 ? ["a"] : ["a", "b"]);
+    for (const name of archive.names) await archive.read(name);
+  }
+});
+
+test("a PDF within a tar does not make it one, and a block of anything else is no tar", () => {
+  expect(kindOf(tar({ "a.pdf": "%PDF-1.7" }))).toBe("tar");
+  expect(kindOf(new Uint8Array(1024))).toBe("unknown");
+  expect(kindOf(tar({ a: "b" }).with(0, 0x7f))).toBe("unknown");
+});
+
+test("too many files are rejected", async () => {
+  const bounds = limits as { archiveEntries: number };
+  const { archiveEntries } = limits;
+  bounds.archiveEntries = 2;
+  try {
+    const file = new Blob([tar({ a: "", b: "", c: "" })]);
+    expect(await messageOf(openTar(file, "a.cbt"))).toBe(
+      "a.cbt has more than 2 files; split it and open a part.",
+    );
+  } finally {
+    bounds.archiveEntries = archiveEntries;
+  }
+});
