@@ -86,11 +86,11 @@ for (const [index, path] of books.entries()) {
   try {
     const found = await page.evaluate(count, [`${url}/book/${index}`, name, often]);
     const [last, time] = found.last;
-    const told = ([pages, seconds]) => `${pages} (${seconds} s)`;
+    const inWords = ([pages, seconds]) => `${pages} (${seconds} s)`;
     for (const kind of Object.keys(off))
       off[kind].push(Math.abs([found[kind]].flat()[0] / last - 1));
     console.log(
-      `${name.slice(0, 40).padEnd(42)} first ${told(found.first)}, estimated ${told(found.estimated)}, a second later ${found.second}, counted ${last} (${time} s)`,
+      `${name.slice(0, 40).padEnd(42)} first ${inWords(found.first)}, estimated ${inWords(found.estimated)}, a second later ${found.second}, counted ${last} (${time} s)`,
     );
   } catch (error) {
     console.log(`${name}: ${String(error).slice(0, 200)}`);

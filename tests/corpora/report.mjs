@@ -45,7 +45,7 @@ const summary = [
     "collection",
     "books tried, of",
     "right",
-    "refused",
+    "rejected",
     "wrong",
     "not compared",
     "first page, ms: p50 / p95 / worst",
@@ -90,7 +90,7 @@ ${markdown(summary)}
 ## What is wrong
 
 ${faults.length > 1 ? markdown(faults) : "Nothing.\n"}
-## What is refused
+## What is rejected
 
 ${sentences.length > 1 ? markdown(sentences) : "Nothing.\n"}`;
 mkdirSync(join(root, "docs/reports"), { recursive: true });

@@ -39,7 +39,7 @@ export interface BookTask {
   readonly signal: AbortSignal;
   readonly progress: (fraction: number) => void;
   /** Called with what the book lists and cannot be shown, once all its pages are drawn. */
-  readonly lacks: (lacks: readonly BookLack[]) => void;
+  readonly missing: (missing: readonly BookLack[]) => void;
 }
 
 /**
@@ -83,7 +83,7 @@ export async function drawBook(folder: string, task: BookTask): Promise<number[]
     }
     task.progress((index + 1) / opened.pageCount);
   }
-  task.lacks(await drawer.warnings());
+  task.missing(await drawer.warnings());
   for (const [file, text] of termFiles(terms)) {
     await writeFile(await fileIn(folder, `words/${file}`), text);
   }

@@ -181,7 +181,7 @@ class Publishing {
         const late = await drawBook(part, {
           ...{ book, name: printable(name), drawer, options, signal: this.#signal },
           until: Date.now() + 60_000 * bookMinutes,
-          lacks: (lacks) => this.#report(listed, lacks),
+          missing: (missing) => this.#report(listed, missing),
           progress: (fraction) => {
             this.#fractions.set(index, fraction);
             this.#show(listed);

@@ -14,7 +14,7 @@ const chapterTypes = /^(application\/xhtml\+xml|text\/html|text\/x-oeb1-document
 
 /**
  * Checks an XML document of an EPUB, takes out of a package what cannot be read
- * and adds what it lacks. Throws a `BookError` if it has too many elements.
+ * and adds what is missing. Throws a `BookError` if it has too many elements.
  *
  * @param name the book's name in sentences
  */
@@ -42,7 +42,7 @@ export function checkPackage(document: Document, name: string): Document {
 }
 
 /**
- * Adds the parts that a package lacks. One whose spine names no chapter is read in the order in which
+ * Adds the parts that are missing in a package. One whose spine names no chapter is read in the order in which
  * its manifest lists them.
  */
 function complete(root: Element): void {

@@ -114,7 +114,7 @@ test("a canvas of a film says so on its page, and lines of the contents that lea
   ]);
 });
 
-test("a manifest of Presentation 1 is read, or refused for its version", async () => {
+test("a manifest of Presentation 1 is read, or rejected for its version", async () => {
   const version1 = { "@context": "http://www.shared-canvas.org/ns/context.json" };
   const old = await open({ ...manifest2([canvas2("a")]), ...version1 });
   expect((await old.draw(0, 50, never)).width).toBe(50);

@@ -78,7 +78,7 @@ describe("images of formats that few browsers show", () => {
   it.each([
     ["planes.tif", "its colours are stored one after another"],
     ["big.tif", "it is a BigTIFF"],
-  ])("%s is refused with its reason: %s", async (name, reason) => {
+  ])("%s is rejected with its reason: %s", async (name, reason) => {
     const source = await openSource(await fixture(name));
     expect(await messageOf(source.draw(0, 10, never))).toBe(
       `Page 1 of ${name} is a TIFF that is damaged or of a kind that cannot be read (${reason}); convert it to PNG or JPEG.`,
@@ -90,7 +90,7 @@ describe("images of formats that few browsers show", () => {
     ["rgb-raw.tif", [0, 1, 4, 0], 8, 0xff, 2],
     ["rgb.j2k", [0xff, 0x51], 6, 0x7f, 4],
   ])(
-    "%s of too many pixels is refused before it is decoded",
+    "%s of too many pixels is rejected before it is decoded",
     async (name, mark, at, byte, count) => {
       const bytes = new Uint8Array(await (await fixture(name)).arrayBuffer());
       const place = bytes.findIndex((_, k) => mark.every((one, j) => bytes[k + j] === one)) + at;
@@ -105,7 +105,7 @@ describe("images of formats that few browsers show", () => {
   );
 
   it.each(["rgb-lzw.tif", "bits-group4.tif", "rgb-jpeg.tif", "rgb.jp2"])(
-    "%s that is cut off or garbled is drawn or refused in a sentence",
+    "%s that is cut off or garbled is drawn or rejected in a sentence",
     async (name) => {
       const whole = new Uint8Array(await (await fixture(name)).arrayBuffer());
       for (const [length, step] of [
@@ -124,7 +124,7 @@ describe("images of formats that few browsers show", () => {
     },
   );
 
-  it("a HEIC is refused with what it is", async () => {
+  it("a HEIC is rejected with what it is", async () => {
     const source = await openSource(await fixture("rgb.heic"));
     expect(await messageOf(source.draw(0, 10, never))).toBe(
       "Page 1 of rgb.heic is a HEIC, which this browser does not show; convert it to PNG or JPEG.",

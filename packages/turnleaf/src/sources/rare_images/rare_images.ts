@@ -74,18 +74,18 @@ async function decoded(
     image.arrayBuffer(),
   ]);
   const code = packed ? await unpack(packed.default) : new Uint8Array();
-  const answer = await inWorker(address, { type, file, code }, place);
-  switch (answer?.kind) {
+  const reply = await inWorker(address, { type, file, code }, place);
+  switch (reply?.kind) {
     case "image":
-      return answer.png;
+      return reply.png;
     case "large":
       throw new BookError(
-        `${place} has ${answer.width} x ${answer.height} pixels, more than can be shown; make it smaller.`,
+        `${place} has ${reply.width} x ${reply.height} pixels, more than can be shown; make it smaller.`,
         { ...about, code: "tooLarge" },
       );
     case "damaged":
       throw new BookError(
-        `${place} is ${unshownFormat(type)} that is damaged or of a kind that cannot be read (${answer.detail.slice(0, detailLength)}); convert it to PNG or JPEG.`,
+        `${place} is ${unshownFormat(type)} that is damaged or of a kind that cannot be read (${reply.detail.slice(0, detailLength)}); convert it to PNG or JPEG.`,
         { ...about, code: "damaged" },
       );
     default:

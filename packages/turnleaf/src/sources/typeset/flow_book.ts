@@ -36,7 +36,7 @@ export const mediumKindAttribute = "data-turnleaf-medium-kind";
 
 /**
  * The attributes of an element in whose place something cannot be shown, or of a picture that may turn
- * out so: the file as a warning names it, and the warning's code, which a picture that is there lacks.
+ * out so: the file as a warning names it, and the warning's code, which is missing for a picture that is there.
  */
 export const sourceAttribute = "data-turnleaf-source";
 export const lostAttribute = "data-turnleaf-lost";

@@ -55,7 +55,7 @@ test("a formula is one run: its TeX, what its author says of it, or its signs on
   expect(found[0]?.math).not.toContain("annotation");
 });
 
-test("over the page it is MathML to screen readers, and its text to whoever copies it", () => {
+test("over the page it is MathML to screen readers, and its text to a reader who copies it", () => {
   const hostile = math(
     '<mi onclick="alert(1)" href="javascript:alert(1)">x</mi><script xmlns="http://www.w3.org/1999/xhtml">1</script><mtext><img xmlns="http://www.w3.org/1999/xhtml" src="x"/>y</mtext>',
   );
