@@ -44,12 +44,6 @@ export type { Zoom } from "../stage/zoom.ts";
 export type { Backend } from "./backend.ts";
 export type { ViewerOptions } from "./viewer_options.ts";
 
-/**
- * Fraction of the width of its place that an open book takes, in a place as
- * high as its leaves need.
- */
-const fullness = 0.9;
-
 /** One book on one canvas. */
 export class Viewer {
   /** Turns its leaves and unfolds its pages. */
@@ -211,11 +205,10 @@ export class Viewer {
     return this.#bound.binding;
   }
 
-  /** Width over height of a place that two pages fill, with the headroom that their leaves need. */
+  /** Width over height of a place that two pages fill. */
   get placeRatio(): number {
     const { width, height, quarterTurned } = this.#bound.shape;
-    const pages = quarterTurned ? height / (2 * width) : (2 * width) / height;
-    return fullness * pages;
+    return quarterTurned ? height / (2 * width) : (2 * width) / height;
   }
 
   /** Width of that place in CSS pixels where a page is as large as its source says, whose unit counts as one. */

@@ -17,6 +17,8 @@ const shape: BookShape = {
   cloth: "#6a2a26",
   shadows: 1,
   fromAbove: false,
+  tilt: 0,
+  margin: 0.03,
   kind: "scan",
   quarterTurned: false,
   alone: 0,

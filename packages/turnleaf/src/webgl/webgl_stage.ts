@@ -22,7 +22,7 @@ import type {
 } from "../stage/book_stage.ts";
 import { overheadAt, type Zoom, ZoomState } from "../stage/zoom.ts";
 import { BeyondSpine } from "./beyond_spine.ts";
-import { type Framing, fieldOfView, frameBook, halfSeen, sightOf } from "./camera.ts";
+import { type Framing, fieldOfView, frameBook, sightOf, type View, widestLens } from "./camera.ts";
 import { compiledAhead } from "./compiled_ahead.ts";
 import { ContextWatch, openContext } from "./context.ts";
 import { DrawnBook } from "./drawn_book.ts";
@@ -87,7 +87,7 @@ export class WebGLStage implements BookStage {
     this.#materials = new BookMaterials(shape, this.#pictures.paper, this.#grains);
     this.#book = new DrawnBook(shape, this.#materials);
     this.#scene.add(this.#book.group, this.#beyond.mesh);
-    this.#camera = new PerspectiveCamera(fieldOfView, 1, 0.05, 10);
+    this.#camera = new PerspectiveCamera(fieldOfView(widestLens), 1, 0.05, 10);
     this.#camera.matrixAutoUpdate = false;
     this.#context = new ContextWatch(canvas, {
       lost: () => {
@@ -285,14 +285,14 @@ export class WebGLStage implements BookStage {
 
   #aim(zoom: Zoom = this.#zooming.zoom): void {
     const { framing } = this.#book;
-    const distance = this.#place(this.#camera, framing, zoom);
-    this.#materials.pixel.value = (2 * halfSeen * distance) / (zoom.level * this.#height);
+    const { distance, lens } = this.#place(this.#camera, framing, zoom);
+    this.#materials.pixel.value = (2 * lens * distance) / (zoom.level * this.#height);
     const { closedRight, closedLeft } = framing;
     this.#beyond.aim(this.#shape, Math.min(1, closedRight + closedLeft), this.#camera);
   }
 
-  /** Places a camera that frames the book. Returns its distance from it, metres. */
-  #place(camera: PerspectiveCamera, framing: Framing, zoom: Zoom): number {
+  /** Places a camera that frames the book. Returns its view of it. */
+  #place(camera: PerspectiveCamera, framing: Framing, zoom: Zoom): View {
     const { level } = zoom;
     const [aspect, overhead] = [this.#aspect, overheadAt(level)];
     const view = frameBook(this.#shape, framing, aspect, this.#shape.rim, overhead);
@@ -305,12 +305,13 @@ export class WebGLStage implements BookStage {
     camera.matrixWorldNeedsUpdate = true;
     camera.updateMatrixWorld(true);
     const size = 2 * Math.max(this.#shape.width, this.#shape.height);
+    camera.fov = fieldOfView(view.lens);
     camera.near = Math.max(0.02, view.distance - size);
     camera.far = view.distance + 2 * size;
     const [x, y] = this.#zooming.show(zoom);
     const [left, top] = [(x - 0.5 / level) * aspect, y - 0.5 / level];
     camera.setViewOffset(aspect, 1, left, top, aspect / level, 1 / level);
-    return view.distance;
+    return view;
   }
 }
 
