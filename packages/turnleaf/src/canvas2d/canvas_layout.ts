@@ -106,6 +106,21 @@ export function magnified(
   };
 }
 
+/**
+ * Moves and scales a layout by less than a pixel of the screen, so that a page is a whole number of
+ * these wide, and begins with one.
+ *
+ * @param ratio pixels of the screen for each CSS pixel
+ */
+export function onPixels(shape: BookShape, { scale, x, y }: Layout, ratio: number): Layout {
+  const across = (shape.quarterTurned ? shape.height : shape.width) * ratio;
+  return {
+    scale: Math.max(Math.round(scale * across), 1) / across,
+    x: Math.round(x * ratio) / ratio,
+    y: Math.round(y * ratio) / ratio,
+  };
+}
+
 function ease(t: number): number {
   const c = Math.min(Math.max(t, 0), 1);
   return c * c * (3 - 2 * c);

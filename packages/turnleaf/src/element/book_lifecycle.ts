@@ -529,19 +529,30 @@ export class OpenBook {
     const { signal } = this.#ended;
     const stage = this.#stage;
     const view = this.#element.ownerDocument.defaultView ?? window;
-    const resize = (): void => {
+    const resize = (pixels?: ResizeObserverSize): void => {
       const { clientWidth, clientHeight } = stage;
       if (clientWidth > 0 && clientHeight > 0) {
         // Printed, it is as on the screen, scaled.
         stage.style.setProperty("--screen-width", `${clientWidth}px`);
         stage.style.setProperty("--screen-height", `${clientHeight}px`);
-        this.viewer.resize(clientWidth, clientHeight, view.devicePixelRatio);
+        const ratio = view.devicePixelRatio;
+        // Whole pixels of the screen, so that those of the canvas are these.
+        const width = pixels?.inlineSize ?? Math.round(clientWidth * ratio);
+        const height = pixels?.blockSize ?? Math.round(clientHeight * ratio);
+        this.viewer.resize(width / ratio, height / ratio, ratio);
       }
     };
-    const observer = new view.ResizeObserver(resize);
-    observer.observe(stage);
+    const observer = new view.ResizeObserver(([entry]) =>
+      resize(entry?.devicePixelContentBoxSize?.[0]),
+    );
+    try {
+      observer.observe(stage, { box: "device-pixel-content-box" });
+    } catch {
+      // Not in WebKit.
+      observer.observe(stage);
+    }
     signal.addEventListener("abort", () => observer.disconnect(), { once: true });
-    watchRatio(view, resize, signal);
+    watchRatio(view, () => resize(), signal);
     resize();
   }
 }

@@ -29,7 +29,7 @@ import {
 import { CameraMotion, ViewHistory } from "./camera_motion.ts";
 import { CrossFade } from "./cross_fade.ts";
 import type { Drags } from "./drag.ts";
-import { bitmapWidth } from "./face_textures.ts";
+import { type BitmapWidths, bitmapWidths } from "./face_textures.ts";
 import { FoldOut } from "./fold_out.ts";
 import { FrameQuality, firstFrameWait } from "./frame_timing.ts";
 import { LeafCommands } from "./leaf_commands.ts";
@@ -118,7 +118,7 @@ export class Viewer {
     this.#sharpness = new Sharpness({ source, stage, book, pictures, arrived, failed });
     this.#foldOut = new FoldOut(this.#bitmaps, {
       unfolds: stage.unfolds,
-      width: () => this.#pictureWidth,
+      width: () => this.#bitmapWidths.page,
       bound: () => this.#bound,
       ready: () => this.#readyFoldOuts(),
       rayAt: (x, y) => stage.rayAt(x, y),
@@ -334,7 +334,7 @@ export class Viewer {
     if (to !== from || this.turning.moving) {
       if (fades) {
         this.#setStill(false);
-        this.#stage.draw({ resting: true });
+        this.#stage.draw({ resting: true, steady: true });
         this.#crossFade.begin(from);
       }
       this.lay(to);
@@ -577,7 +577,8 @@ export class Viewer {
     this.#options.onMotion?.(posed, seconds, (turning && !still) || tearing);
     // Where the processor draws, a frame that is soon drawn again is not worth all its pixels.
     this.#isPlain = resting && this.#stage.isSoftware && !this.#bitmaps.settled;
-    this.#stage.draw({ resting: isFull && !this.#isPlain, pixels });
+    const steady = !stepping && !this.#handled;
+    this.#stage.draw({ resting: isFull && !this.#isPlain, steady, pixels });
     this.#bitmaps.paused = !resting;
     this.#crossFade.step(now, this.turning.spread);
     if (this.#destroyed) return;
@@ -686,14 +687,14 @@ export class Viewer {
   /** Updates the bitmap of every face, and requests the pages wanted next. Returns whether any is new. */
   #updateFaces(): boolean {
     const { faceTextures: picturing } = this.#bound;
-    if (this.#cssWidth > 0) picturing.want(this.#pictureWidth);
+    if (this.#cssWidth > 0) picturing.want(this.#bitmapWidths);
     const hasChanged = picturing.show(this.#foldOut.parts, this.#isStill);
     this.sheets.show();
     this.#sharpness.keep(picturing.pages);
     return hasChanged;
   }
 
-  get #pictureWidth(): number {
-    return bitmapWidth(this.#bound.shape, this.#stage, this.#camera);
+  get #bitmapWidths(): BitmapWidths {
+    return bitmapWidths(this.#bound.shape, this.#stage, this.#camera);
   }
 }

@@ -28,12 +28,26 @@ import { ContextWatch, openContext } from "./context.ts";
 import { DrawnBook } from "./drawn_book.ts";
 import { dropFromCard } from "./drop_from_gpu.ts";
 import { BookGrains } from "./grains.ts";
+import { layOnGrid } from "./ink.ts";
 import { BookMaterials } from "./materials.ts";
+import { layPrint, type PrintGrid, placeOfPrint } from "./print_grid.ts";
 import { drawsInSoftware } from "./software_gl.ts";
 import { PictureTextures } from "./textures.ts";
 
 /** Maximum of pixels of a frame at rest. */
 const mostPixels = 16e6;
+
+/** An open book that lies still. */
+const openFraming: Framing = {
+  closedRight: 0,
+  closedLeft: 0,
+  middle: 0,
+  boardEdges: [],
+  flapEdge: [],
+};
+
+/** Sides of the open book. */
+const sides = ["left", "right"] as const;
 
 /** A face of the book, or a side of a leaf in flight or of a loose sheet. */
 type BitmapTarget =
@@ -70,6 +84,10 @@ export class WebGLStage implements BookStage {
   #width = 1;
   #height = 1;
   #ratio = 1;
+  /** Pixels of the screen across an open page; 0 if it is seen aslant. */
+  #texels = 0;
+  /** The print of the open pages, as it was drawn last: on the pixels of the screen, or null. */
+  readonly #grids: Record<PageFace, PrintGrid | null> = { left: null, right: null };
   readonly #zooming = new ZoomState((level) =>
     sightOf(this.#shape, this.#book.framing, this.#aspect, this.#shape.rim, level),
   );
@@ -168,12 +186,39 @@ export class WebGLStage implements BookStage {
   }
 
   get restingRatio(): number {
-    const ratio = Math.max(this.isSoftware ? 1.5 : 2, this.#ratio);
+    return this.#ratio * this.#restingDots;
+  }
+
+  /**
+   * Pixels of the canvas across one of the screen at rest: as many as make edges smooth, and a whole
+   * number, so that the mean of those of a texel is that texel.
+   */
+  get #restingDots(): number {
+    const [width, height] = [this.#width * this.#ratio, this.#height * this.#ratio];
     // The canvas is no larger than the GPU supports.
     const most = this.#renderer.capabilities.maxTextureSize;
-    const longest = Math.max(this.#width, this.#height);
-    const fit = Math.min(most / longest, Math.sqrt(mostPixels / (this.#width * this.#height)));
-    return Math.max(Math.min(this.#ratio, fit), Math.min(ratio, fit));
+    const fit = Math.min(most / Math.max(width, height), Math.sqrt(mostPixels / (width * height)));
+    const dots = Math.ceil((this.isSoftware ? 1.5 : 2) / this.#ratio);
+    return fit < 1 ? fit : Math.min(dots, Math.floor(fit));
+  }
+
+  get pageTexels(): number {
+    const { level } = this.#zooming.zoom;
+    const open = this.#frame(openFraming, level);
+    return this.#texelsOf(open, level);
+  }
+
+  /** Returns the pixels of the screen across a page in a view of the book; 0 if it is seen aslant. */
+  #texelsOf({ back, position, lens }: View, level: number): number {
+    const away = position[2] - this.#shape.thickness / 2;
+    const seen = (2 * lens * away) / (this.#height * this.#ratio * level);
+    return back[2] === 1 ? Math.round(this.#paperSize[0] / seen) : 0;
+  }
+
+  /** Width and height of a page as it is read, metres. */
+  get #paperSize(): readonly [width: number, height: number] {
+    const { width, height, quarterTurned } = this.#shape;
+    return quarterTurned ? [height, width] : [width, height];
   }
 
   refresh(canvas: HTMLCanvasElement): void {
@@ -192,11 +237,17 @@ export class WebGLStage implements BookStage {
   }
 
   draw(options?: DrawOptions): void {
-    const ratio = options?.resting ? this.restingRatio : this.#ratio * (options?.pixels ?? 1);
-    const [width, height] = [Math.floor(this.#width * ratio), Math.floor(this.#height * ratio)];
+    const dots = options?.resting ? this.#restingDots : (options?.pixels ?? 1);
+    const ratio = this.#ratio * dots;
+    const [width, height] = [Math.round(this.#width * ratio), Math.round(this.#height * ratio)];
     if (this.#canvas.width !== width || this.#canvas.height !== height) {
       // Clears the canvas; it is drawn again below before it can be seen.
-      this.#renderer.setDrawingBufferSize(this.#width, this.#height, ratio);
+      this.#renderer.setDrawingBufferSize(width, height, 1);
+    }
+    for (const side of sides) {
+      this.#grids[side] = options?.steady ? this.#gridOf(side) : null;
+      const { uniforms } = this.#materials.pages[side];
+      layOnGrid(uniforms, this.#grids[side], height, dots);
     }
     this.#book.light();
     this.#renderer.render(this.#scene, this.#camera);
@@ -229,8 +280,7 @@ export class WebGLStage implements BookStage {
     const { framing } = this.#book;
     if (framing.closedRight === 0 && framing.closedLeft === 0) return this.project(point);
     const camera = this.#camera.clone();
-    const open = { closedRight: 0, closedLeft: 0, middle: 0, boardEdges: [], flapEdge: [] };
-    this.#place(camera, open, this.#zooming.zoom);
+    this.#place(camera, openFraming, this.#zooming.zoom);
     return this.#seenBy(camera, point);
   }
 
@@ -240,6 +290,11 @@ export class WebGLStage implements BookStage {
   }
 
   projectOn(face: Face, x: number, y: number): Place {
+    const grid = face === "left" || face === "right" ? this.#grids[face] : null;
+    if (grid) {
+      const [right, down] = placeOfPrint(grid, [x * grid.size[0], y * grid.size[1]]);
+      return { x: right / this.#ratio, y: down / this.#ratio };
+    }
     return this.project(this.#book.placeOn(face, x, y));
   }
 
@@ -250,7 +305,32 @@ export class WebGLStage implements BookStage {
       ...projectionMatrix.elements,
       this.#width,
       this.#height,
+      ...sides.flatMap((side) => this.#grids[side]?.corner ?? []),
     ].join();
+  }
+
+  /** Returns the print of a page on the pixels of the screen; null if it is seen aslant. */
+  #gridOf(side: PageFace): PrintGrid | null {
+    const { closedRight, closedLeft } = this.#book.framing;
+    const isShut = !this.#shape.fromAbove && closedRight + closedLeft > 0;
+    if (this.#texels === 0 || isShut) return null;
+    const { quarterTurned, height, width, thickness } = this.#shape;
+    const texels = this.#texels;
+    const onScreen = ({ x, y }: Place) => [x * this.#ratio, y * this.#ratio] as const;
+    const [u, v] = [side === "left" ? 1 : 0, 0.5];
+    const at = (x: number, y: number) => onScreen(this.project(this.#book.placeOn(side, x, y)));
+    const middle = at(0.5, 0.5);
+    // Along the spine both pages lie as if they were equally high.
+    const level = onScreen(this.project([width / 2, height / 2, thickness / 2]));
+    const sign = side === "left" ? -1 : 1;
+    const [paperWidth, paperHeight] = this.#paperSize;
+    return layPrint(
+      texels,
+      (texels * paperHeight) / paperWidth,
+      quarterTurned ? [level[0], middle[1]] : [middle[0], level[1]],
+      quarterTurned ? at(v, u) : at(u, v),
+      quarterTurned ? [0, sign] : [sign, 0],
+    );
   }
 
   destroy(keepCanvas = false): boolean {
@@ -285,17 +365,22 @@ export class WebGLStage implements BookStage {
 
   #aim(zoom: Zoom = this.#zooming.zoom): void {
     const { framing } = this.#book;
-    const { distance, lens } = this.#place(this.#camera, framing, zoom);
-    this.#materials.pixel.value = (2 * lens * distance) / (zoom.level * this.#height);
+    const view = this.#place(this.#camera, framing, zoom);
+    this.#texels = this.#texelsOf(view, zoom.level);
+    this.#materials.pixel.value = (2 * view.lens * view.distance) / (zoom.level * this.#height);
     const { closedRight, closedLeft } = framing;
     this.#beyond.aim(this.#shape, Math.min(1, closedRight + closedLeft), this.#camera);
+  }
+
+  #frame(framing: Framing, level: number): View {
+    return frameBook(this.#shape, framing, this.#aspect, this.#shape.rim, overheadAt(level));
   }
 
   /** Places a camera that frames the book. Returns its view of it. */
   #place(camera: PerspectiveCamera, framing: Framing, zoom: Zoom): View {
     const { level } = zoom;
-    const [aspect, overhead] = [this.#aspect, overheadAt(level)];
-    const view = frameBook(this.#shape, framing, aspect, this.#shape.rim, overhead);
+    const aspect = this.#aspect;
+    const view = this.#frame(framing, level);
     camera.matrix.makeBasis(
       new Vector3(...view.right),
       new Vector3(...view.up),
