@@ -232,6 +232,7 @@ function turnAndCarry({ place }: Shown): string {
   const page = apparentSize()[1];
   const watch = new Watch(place);
   turn(watch.look);
+  console.log("TURN", JSON.stringify(watch.beyond), JSON.stringify(place));
   const dips = [watch.beyond.bottom];
   const worst = grips.map(([u, v]) => {
     watch.beyond.bottom = 0;

@@ -71,6 +71,12 @@ const sliver = 0.03;
  */
 const swing = { across: 0.97, up: 0.96, dip: 0.07 };
 
+/**
+ * How far a leaf that is led by its corner swings aslant beyond the head of one that
+ * swings evenly, as a fraction of the height of the picture.
+ */
+const aslant = 0.01;
+
 /** The properties of a pose that the camera depends on. */
 export interface Framing {
   /** 0 open, 1 closed over the right pile. */
@@ -155,7 +161,7 @@ function lensOf(shape: BookShape, aspect: number, rim: number): number {
   let lens = widestLens;
   for (let k = 0; k < swinging.length; k += 3) {
     const x = Math.abs(along(right, swinging, k) - (x0 + x1) / 2);
-    const y = Math.abs(along(up, swinging, k) - (y0 + y1) / 2);
+    const y = Math.abs(along(up, swinging, k) - (y0 + y1) / 2) + 2 * aslant * seen;
     // What is nearer by a height sees so much less of the plane for each unit of the lens.
     const height = swinging[k + 2] - top;
     if (height > 0) lens = Math.min(lens, (seen - Math.max(y, x / aspect)) / height);
