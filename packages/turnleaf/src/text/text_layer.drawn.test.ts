@@ -115,6 +115,7 @@ test("zoomed, the text lies where the print is", async () => {
   const offPrint = async (): Promise<number[]> => {
     const box = boxOf("Call me");
     const ink = await inkIn(around(box, 10));
+    console.log("OFF", JSON.stringify([box, ink]));
     return [box.left - ink.left, box.right - ink.right];
   };
   const before = await offPrint();
