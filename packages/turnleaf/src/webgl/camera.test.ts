@@ -68,22 +68,52 @@ test("an open book stands in the middle from side to side", () => {
   }
 });
 
+/** Returns how far a point is from the middle of the picture: 1 at its edge. */
+const outward = (view: View, aspect: number, point: [number, number, number]): number =>
+  Math.max(...seen(view, aspect, point).map(Math.abs));
+
 test("a leaf that swings stays in the picture, and so does a board, at any shape of canvas and of leaf", () => {
   for (const height of [0.09, 0.13, 0.2]) {
     for (const aspect of [0.4, 1, 1.6, 2.4]) {
       for (const tilt of [0, 5, 12]) {
         const of: BookShape = { ...shape, height, tilt };
-        const view = frameBook(of, framing({}), aspect, rim);
         for (let k = 0; k <= 12; k++) {
           const angle = (k * Math.PI) / 12;
-          const reach = 0.96 * shape.width + rim;
-          const [x, z] = [reach * Math.cos(angle), reach * Math.sin(angle)];
+          const edge = (reach: number) => [reach * Math.cos(angle), reach * Math.sin(angle)] as const;
+          const [x, z] = edge(0.96 * shape.width);
+          const view = frameBook(of, framing({}), aspect, rim);
+          for (const y of [0, height]) expect(outward(view, aspect, [x, y, z])).toBeLessThan(1 + 1e-9);
+          const [u, w] = edge(shape.width + rim);
+          const opening = frameBook(of, framing({ boardEdges: [u, w] }), aspect, rim);
           for (const y of [-rim, height + rim]) {
-            const [across, up] = seen(view, aspect, [x, y, z]);
-            expect(Math.abs(across)).toBeLessThan(1 + 1e-9);
-            expect(Math.abs(up)).toBeLessThan(1 + 1e-9);
+            expect(outward(opening, aspect, [u, y, w])).toBeLessThan(1 + 1e-9);
           }
         }
+      }
+    }
+  }
+});
+
+test("a book fills 0.94 of the height or of the width of a window, whole or one page of it", () => {
+  const paperback: Partial<BookShape> = { width: 0.138, height: 0.213, thickness: 0.012 };
+  for (const [width, height] of [
+    [1280, 700],
+    [1920, 980],
+    [820, 1080],
+    [390, 744],
+  ]) {
+    for (const cover of ["hard", "none"] as const) {
+      for (const alone of [0, 1, -1] as const) {
+        const of: BookShape = { ...shape, ...paperback, cover, rim: cover === "hard" ? rim : 0, alone };
+        const aspect = width / height;
+        const view = frameBook(of, framing({}), aspect, of.rim);
+        const far = of.width + of.rim + (alone === 0 ? of.thickness / 2 : 0);
+        const [from, to] = alone === 0 ? [-far, far] : [0, alone * far];
+        const high = alone === 0 ? of.thickness / 2 : of.thickness;
+        const [x0, y0] = seen(view, aspect, [from, -of.rim, high]);
+        const [x1, y1] = seen(view, aspect, [to, of.height + of.rim, high]);
+        const most = Math.max(Math.abs(x1 - x0), Math.abs(y1 - y0)) / 2;
+        expect(most).toBeCloseTo(0.94, 9);
       }
     }
   }

@@ -323,11 +323,11 @@ function openPoints({ width, height, thickness }: BookShape, framing: Framing, r
   return points;
 }
 
-/** Returns the corners of one page; a sliver beyond its spine is in the margin. */
-function alonePoints({ width, height, thickness }: BookShape, sign: number): number[] {
+/** Returns the corners of one page and of its board; a sliver beyond its spine is in the margin. */
+function alonePoints({ width, height, thickness, rim }: BookShape, sign: number): number[] {
   const points: number[] = [];
-  for (const x of [0, sign * width]) {
-    for (const y of [0, height]) points.push(x, y, 0, x, y, thickness);
+  for (const x of [0, sign * (width + rim)]) {
+    for (const y of [-rim, height + rim]) points.push(x, y, 0, x, y, thickness);
   }
   return points;
 }
@@ -338,24 +338,24 @@ function dipOf({ width, height }: BookShape): number {
 }
 
 /**
- * Adds where the outer corners of a leaf swing, or of a board: over a page that stands
- * alone, until they are upright.
+ * Adds where the outer corners of a leaf swing: over a page that stands alone, until they are
+ * upright.
  *
  * @param dip how far beyond the foot they hang, metres
  */
 function addSwing(
   points: number[],
-  { width, height, thickness, rim, alone }: BookShape,
+  { width, height, thickness, alone }: BookShape,
   dip: number,
 ): void {
   // Pages rise out of a thick book's gutter first, and reach less far.
   const reach = alone === 0 ? Number.POSITIVE_INFINITY : width - 0.35 * thickness;
   for (let k = 1; k < 12; k++) {
     const angle = (k * Math.PI) / 12;
-    const x = (swing.across * width + rim) * Math.cos(angle);
-    const z = (swing.up * width + rim) * Math.sin(angle);
+    const x = swing.across * width * Math.cos(angle);
+    const z = swing.up * width * Math.sin(angle);
     if (x * alone < 0 || Math.abs(x) > reach) continue;
-    points.push(x, height + rim, z, x, -Math.max(dip, rim), z);
+    points.push(x, height, z, x, -dip, z);
   }
 }
 
