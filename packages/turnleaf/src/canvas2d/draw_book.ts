@@ -40,16 +40,16 @@ export const light = (opacity: number): string => `rgb(255 253 246 / ${opacity})
 
 /**
  * The rise of the pages from the gutter: the left page faces away from the
- * light, the right one toward it.
+ * light, the right one toward it. Beyond the inner margin no shade takes from the print.
  */
 const leftGutter: Stops = [
   [0, shade(0.5)],
   [0.012, shade(0.36)],
-  [0.05, shade(0.2)],
-  [0.12, shade(0.09)],
-  [0.22, shade(0.03)],
-  [0.34, shade(0.006)],
-  [0.5, shade(0)],
+  [0.05, shade(0.18)],
+  [0.09, shade(0.08)],
+  [0.13, shade(0.035)],
+  [0.2, shade(0.01)],
+  [0.3, shade(0)],
   [0.8, shade(0)],
   [1, shade(0.035)],
 ];

@@ -537,8 +537,8 @@ export class OpenBook {
         stage.style.setProperty("--screen-height", `${clientHeight}px`);
         const ratio = view.devicePixelRatio;
         // Whole pixels of the screen, so that those of the canvas are these.
-        const width = pixels?.inlineSize ?? Math.round(clientWidth * ratio);
-        const height = pixels?.blockSize ?? Math.round(clientHeight * ratio);
+        const width = wholePixels(clientWidth * ratio, pixels?.inlineSize);
+        const height = wholePixels(clientHeight * ratio, pixels?.blockSize);
         this.viewer.resize(width / ratio, height / ratio, ratio);
       }
     };
@@ -555,6 +555,14 @@ export class OpenBook {
     watchRatio(view, () => resize(), signal);
     resize();
   }
+}
+
+/**
+ * Returns a length in whole pixels of the screen: as it was measured, unless that is another length, as
+ * where lines of text run downward, or where a browser emulates a screen.
+ */
+function wholePixels(length: number, measured: number = Number.NaN): number {
+  return Math.abs(measured - length) < 1 + window.devicePixelRatio ? measured : Math.round(length);
 }
 
 /** Follows the pixel ratio of a window's screen, which changes with the zoom and from screen to screen. */

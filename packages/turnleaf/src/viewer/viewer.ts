@@ -236,7 +236,7 @@ export class Viewer {
    * two pages, or of the one that stands alone, CSS pixels on the canvas.
    */
   get bounds(): { readonly from: Place; readonly to: Place } {
-    const { width, height, alone } = this.#bound.shape;
+    const { width, height, thickness, alone } = this.#bound.shape;
     const [left, right] = [alone === 1 ? 0 : -width, alone === -1 ? 0 : width];
     const corners = [left, right].flatMap((x) =>
       [0, height].map((y) => this.#stage.projectOpen([x, y, 0])),

@@ -245,7 +245,7 @@ test("a loose sheet has a shade at its edges on a page, on another sheet and on 
   expect(shadeAt(stage, right)).toBeGreaterThan(12);
   expect(shadeAt(stage, right - 0.02)).toBeGreaterThan(12);
   // The table is clear where nothing shades it.
-  const beside = () => colourAt(stage, 0.01 + shape.width + 0.0008)[3];
+  const beside = () => colourAt(stage, 0.01 + shape.width + 0.0004)[3];
   stage.pose({ ...open, loose: [looseSheet(0, 1e-4, 0.01)] });
   const lying = beside();
   stage.pose(open);
