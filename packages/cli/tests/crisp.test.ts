@@ -206,7 +206,9 @@ test.for(cases)(
     const pitch = (ends[0][20] - ends[0][0]) / 20;
     // Both pages at one height, and lines level: what of one stands right of the middle stands as high.
     for (let line = 0; line < 20; line++) {
-      expect(Math.abs(ends[0][line] - ends[1][line]), `line ${line}`).toBeLessThanOrEqual(ratio / 2);
+      expect(Math.abs(ends[0][line] - ends[1][line]), `line ${line}`).toBeLessThanOrEqual(
+        ratio / 2,
+      );
     }
     for (const [k, [left, , right]] of pages.entries()) {
       for (const at of ends[k].slice(0, 20)) {
@@ -225,7 +227,9 @@ test.for(cases)(
         (at) => inkIn(seen, [left - 2, Math.round(at - 0.75 * pitch), right, at + 1])[0],
       );
       for (let line = 0; line + linesOfParagraph < starts.length; line++) {
-        expect(Math.abs(starts[line + linesOfParagraph] - starts[line])).toBeLessThanOrEqual(ratio / 2);
+        expect(Math.abs(starts[line + linesOfParagraph] - starts[line])).toBeLessThanOrEqual(
+          ratio / 2,
+        );
       }
     }
     const across = pages[0][2] - pages[0][0];

@@ -17,7 +17,15 @@ import type {
   Place,
 } from "../stage/book_stage.ts";
 import { fadeBeyondSpine as fade, type Zoom, ZoomState } from "../stage/zoom.ts";
-import { type Layout, layOut, magnified, onPixels, panelOf, shutness, sightOf } from "./canvas_layout.ts";
+import {
+  type Layout,
+  layOut,
+  magnified,
+  onPixels,
+  panelOf,
+  shutness,
+  sightOf,
+} from "./canvas_layout.ts";
 import { drawBoard } from "./draw_board.ts";
 import { type Brush, drawCase, drawPage, drawStack, thicknessOf } from "./draw_book.ts";
 import { drawFlat, drawFolded } from "./draw_leaf.ts";

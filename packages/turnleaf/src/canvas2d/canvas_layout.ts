@@ -42,9 +42,7 @@ export function layOut(shape: BookShape, pose: BookPose, width: number, height: 
   const [right, left] = shape.fromAbove ? [0, 0] : shutness(pose);
   const open = alone === 0 ? fit(-reach, reach) : alone === 1 ? onRight : onLeft;
   const mix = (of: (layout: Layout) => number): number =>
-    of(open) +
-    right * (of(onRight) - of(open)) +
-    left * (of(onLeft) - of(open));
+    of(open) + right * (of(onRight) - of(open)) + left * (of(onLeft) - of(open));
   return { scale: mix(({ scale }) => scale), x: mix(({ x }) => x), y: mix(({ y }) => y) };
 
   function fit(from: number, to: number): Layout {

@@ -212,8 +212,7 @@ export class PagePool {
   get ready(): boolean {
     const affordable = withinBudget(this.#wanted, this.#held, this.#bounds, this.#ratios);
     return this.#wanted.every(
-      (page) =>
-        this.#failed.has(page.index) || !affordable.has(page.index) || this.#isHeld(page),
+      (page) => this.#failed.has(page.index) || !affordable.has(page.index) || this.#isHeld(page),
     );
   }
 

@@ -239,7 +239,7 @@ export class Viewer {
     const { width, height, thickness, alone } = this.#bound.shape;
     const [left, right] = [alone === 1 ? 0 : -width, alone === -1 ? 0 : width];
     const corners = [left, right].flatMap((x) =>
-      [0, height].map((y) => this.#stage.projectOpen([x, y, 0])),
+      [0, height].map((y) => this.#stage.projectOpen([x, y, thickness / 2])),
     );
     const [xs, ys] = [corners.map(({ x }) => x), corners.map(({ y }) => y)];
     return {

@@ -79,10 +79,12 @@ test("a leaf that swings stays in the picture, and so does a board, at any shape
         const of: BookShape = { ...shape, height, tilt };
         for (let k = 0; k <= 12; k++) {
           const angle = (k * Math.PI) / 12;
-          const edge = (reach: number) => [reach * Math.cos(angle), reach * Math.sin(angle)] as const;
+          const edge = (reach: number) =>
+            [reach * Math.cos(angle), reach * Math.sin(angle)] as const;
           const [x, z] = edge(0.96 * shape.width);
           const view = frameBook(of, framing({}), aspect, rim);
-          for (const y of [0, height]) expect(outward(view, aspect, [x, y, z])).toBeLessThan(1 + 1e-9);
+          for (const y of [0, height])
+            expect(outward(view, aspect, [x, y, z])).toBeLessThan(1 + 1e-9);
           const [u, w] = edge(shape.width + rim);
           const opening = frameBook(of, framing({ boardEdges: [u, w] }), aspect, rim);
           for (const y of [-rim, height + rim]) {
@@ -104,7 +106,13 @@ test("a book fills 0.94 of the height or of the width of a window, whole or one 
   ]) {
     for (const cover of ["hard", "none"] as const) {
       for (const alone of [0, 1, -1] as const) {
-        const of: BookShape = { ...shape, ...paperback, cover, rim: cover === "hard" ? rim : 0, alone };
+        const of: BookShape = {
+          ...shape,
+          ...paperback,
+          cover,
+          rim: cover === "hard" ? rim : 0,
+          alone,
+        };
         const aspect = width / height;
         const view = frameBook(of, framing({}), aspect, of.rim);
         const far = of.width + of.rim + (alone === 0 ? of.thickness / 2 : 0);

@@ -314,7 +314,11 @@ function viewOf(fit: Fit, axes: Axes, lens: number): View {
 }
 
 /** Returns the corners of the open book. */
-function openPoints({ width, height, thickness }: BookShape, framing: Framing, rim: number): number[] {
+function openPoints(
+  { width, height, thickness }: BookShape,
+  framing: Framing,
+  rim: number,
+): number[] {
   const reach = width + rim + thickness / 2;
   const points: number[] = [];
   for (const x of [framing.middle - reach, framing.middle + reach]) {
