@@ -6,7 +6,6 @@ import { type Stock, type TearLine, tearLines } from "../engine/shapes.ts";
 import type { Gesture } from "../input/target.ts";
 import { metresIn } from "../metres.ts";
 import type { BindingOptions } from "../viewer/bound_book.ts";
-import { defaultBinding } from "../viewer/viewer_options.ts";
 import { typographyAttributes } from "./typography.ts";
 
 /** The attributes of the binding. */
@@ -38,8 +37,8 @@ export function bindingOptionsOf(element: Element): Omit<BindingOptions, "shifts
     cloth: element.getAttribute("cloth") ?? "#6a2a26",
     shadows: numberIn(element, "shadows", 0, 1) ?? 1,
     camera: word("camera", cameras),
-    tilt: numberIn(element, "tilt", 0, 12) ?? defaultBinding.tilt,
-    margin: numberIn(element, "margin", 0, 0.25) ?? defaultBinding.margin,
+    tilt: numberIn(element, "tilt", 0, 12) ?? 0,
+    margin: numberIn(element, "margin", 0, 0.25) ?? 0.03,
     binding: word("binding", bindings),
     layout: word("layout", layouts),
     offset: element.getAttribute("offset") === "0" ? 0 : 1,

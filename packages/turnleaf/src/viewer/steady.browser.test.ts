@@ -276,8 +276,9 @@ test.for(places)(
 test.for(places.filter(({ name }) => /16:10|right|calendar|phone/.test(name)))(
   "nor does one of the book on the flat: $name",
   async (shown, { annotate }) => {
-    await opened({ ...shown, backend: "canvas2d" });
-    await annotate(turnAndCarry(shown));
+    const flat: Shown = { ...shown, backend: "canvas2d" };
+    await opened(flat);
+    await annotate(turnAndCarry(flat));
   },
 );
 

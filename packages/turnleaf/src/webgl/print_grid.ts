@@ -98,7 +98,7 @@ vec3 gridPlace() {
   float shortened = gridSpine.z;
   float reach = ${bentOver.toFixed(6)} * shortened;
   float from = dot(outward, at) - min(dot(outward, gridSize), 0.0);
-  if (from >= reach) return vec3(at, 1.0);
+  if (from >= reach || shortened <= 0.0) return vec3(at, 1.0);
   float flatly = reach - shortened;
   float t = (reach - from) / flatly;
   float bend = reach - flatly * t - shortened * t * t;

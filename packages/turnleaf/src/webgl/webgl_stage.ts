@@ -121,6 +121,7 @@ export class WebGLStage implements BookStage {
     this.#scene.remove(this.#book.group);
     this.#replaced.push(this.#book, this.#materials);
     this.#faces.clear();
+    for (const side of sides) this.#grids[side] = null;
     this.#shape = shape;
     this.#materials = new BookMaterials(shape, this.#pictures.paper, this.#grains);
     this.#book = new DrawnBook(shape, this.#materials);
