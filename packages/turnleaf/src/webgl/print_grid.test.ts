@@ -23,7 +23,7 @@ test("its texels are pixels, but where the page rises out of the gutter: they en
       expect(placeOfPrint(grid, [x, 10])).toEqual([left + x, top + 10]);
     }
     // Nothing runs back, and nothing is stretched.
-    let before = spine[0];
+    let before: number = spine[0];
     for (let k = 1; k <= 100; k++) {
       const [x] = placeOfPrint(grid, [edge + (k / 100) * (far - edge), 10]);
       const step = outward[0] * (x - before);
