@@ -287,17 +287,23 @@ test("the element has what the options say", async () => {
   expect(flat.book.getBook()?.hardPages).toBe("1,8");
 });
 
+/** Laid out once, a book is measured and laid out to fill page-flip's rectangle: waits for that. */
+async function laidOut(book: PageFlip): Promise<void> {
+  await eventually(() => {
+    const element = book.getBook();
+    const { width, pageWidth } = book.getBoundsRect();
+    const open = book.getOrientation() === "portrait" ? pageWidth : width;
+    return element?.settled && Math.abs((element.bookBounds as DOMRect).width - open) < 2;
+  }).toBe(true);
+}
+
 test("the open book fills page-flip's rectangle", async () => {
   for (const style of ["width: 400px", "width: 150px"]) {
     const { book, host } = await opened(PageFlip, {}, style);
     const element = book.getBook() as NonNullable<ReturnType<typeof book.getBook>>;
-    const { left, top, width, height, pageWidth } = book.getBoundsRect();
+    const { left, top, height, pageWidth } = book.getBoundsRect();
     const isPortrait = book.getOrientation() === "portrait";
-    // Laid out once, the book is measured and laid out to fill the rectangle.
-    await eventually(() => {
-      const { width: shown } = element.bookBounds as DOMRect;
-      return element.settled && Math.abs(shown - (isPortrait ? pageWidth : width)) < 2;
-    }).toBe(true);
+    await laidOut(book);
     const bounds = element.bookBounds as DOMRect;
     const box = element.getBoundingClientRect();
     const outside = host.getBoundingClientRect();
@@ -340,7 +346,7 @@ test.each(places)(
     for (const [, made] of classes) {
       const count = options.showCover ? 8 : 7;
       const { book, host, pages } = await opened(made, options, style, count);
-      await eventually(() => (book.getBook ? book.getBook()?.settled : true)).toBe(true);
+      if (book instanceof PageFlip) await laidOut(book);
       seen.push({
         edges: shown.map((page) => edgesIn(host, pages[page])),
         classes: shown.map((page) => [...pages[page].classList].sort()),
