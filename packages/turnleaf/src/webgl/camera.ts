@@ -72,10 +72,10 @@ const sliver = 0.03;
 const swing = { across: 0.97, up: 0.96, dip: 0.07 };
 
 /**
- * How far a leaf that is led by its corner swings aslant beyond the head of one that
- * swings evenly, as a fraction of the height of the picture.
+ * How far a leaf that is led by its corner swings aslant beyond the head or foot of one that
+ * swings evenly, as a fraction of the height of the picture: a usual leaf, and one as wide as high.
  */
-const aslant = 0.01;
+const aslant = { usual: 0.01, wide: 0.0225 };
 
 /** The properties of a pose that the camera depends on. */
 export interface Framing {
@@ -158,10 +158,11 @@ function lensOf(shape: BookShape, aspect: number, rim: number): number {
   const [, top] = extentOf(lying, back);
   // Half the height that is seen at the height of the pages.
   const seen = Math.max(y1 - y0, (x1 - x0) / aspect) / (2 - 4 * margin);
+  const hanging = aslant.usual + (aslant.wide - aslant.usual) * widenessOf(shape);
   let lens = widestLens;
   for (let k = 0; k < swinging.length; k += 3) {
     const x = Math.abs(along(right, swinging, k) - (x0 + x1) / 2);
-    const y = Math.abs(along(up, swinging, k) - (y0 + y1) / 2) + 2 * aslant * seen;
+    const y = Math.abs(along(up, swinging, k) - (y0 + y1) / 2) + 2 * hanging * seen;
     // What is nearer by a height sees so much less of the plane for each unit of the lens.
     const height = swinging[k + 2] - top;
     if (height > 0) lens = Math.min(lens, (seen - Math.max(y, x / aspect)) / height);
@@ -337,8 +338,13 @@ function alonePoints({ width, height, thickness, rim }: BookShape, sign: number)
 }
 
 /** Returns how far beyond the foot a leaf hangs that is led by its head, metres: nothing for usual ones. */
-function dipOf({ width, height }: BookShape): number {
-  return swing.dip * width * Math.min(Math.max((width / height - 0.7) / 0.3, 0), 1);
+function dipOf(shape: BookShape): number {
+  return swing.dip * shape.width * widenessOf(shape);
+}
+
+/** Returns 0 for usual leaves, to 1 for those that are as wide as high, or wider. */
+function widenessOf({ width, height }: BookShape): number {
+  return Math.min(Math.max((width / height - 0.7) / 0.3, 0), 1);
 }
 
 /**
