@@ -106,14 +106,20 @@ export function rejectionOf(start: string): string {
   return found?.[1] ?? "is of an unknown format";
 }
 
+/** Control characters that are rare in text, and the bytes of it for each at least, as the viewer has them. */
+// biome-ignore lint/suspicious/noControlCharactersInRegex: these are looked for
+const strangeControls = /[\x00-\x06\x10-\x19\x1c-\x1f\x7f]/g;
+const leastText = 10;
+
 /**
- * Returns whether bytes, as latin-1, are text: UTF-8, UTF-16 by its mark, or,
- * where the name says text, in any encoding; none with control characters.
+ * Returns whether bytes, as latin-1, are text: UTF-8, UTF-16 by its mark, or, where the name says text, in
+ * any encoding; none with a byte of 0.
  */
 function isText(start: string, name: string): boolean {
   if (/^(\xff\xfe|\xfe\xff)/.test(start)) return true;
-  // biome-ignore lint/suspicious/noControlCharactersInRegex: text has none of them
-  if (/[\x00-\x08\x0e-\x1f\x7f]/.test(start)) return false;
+  if (start.includes("\0")) return false;
+  const strange = start.match(strangeControls)?.length ?? 0;
+  if (strange * leastText > start.length && kindOfName(name) !== "text") return false;
   try {
     // The last character may be cut off.
     const stream = start.length >= sniffLength;

@@ -6,7 +6,6 @@ import type { TurnleafBook } from "./element.ts";
 import { clock } from "./for_tests/clock.ts";
 import { book, happens, scan, scans, settled } from "./for_tests/element_books.ts";
 import { eventually } from "./for_tests/eventually.ts";
-import { drawsInSoftware } from "./webgl/software_gl.ts";
 
 const message = (element: TurnleafBook) =>
   element.shadowRoot?.querySelector<HTMLElement>("[part=message]");
@@ -420,8 +419,7 @@ test("another screen's pixels, and room that comes late", async () => {
     element.style.display = "";
     await settled(element);
     const canvas = element.shadowRoot?.querySelector("canvas");
-    const isSoftware = drawsInSoftware(canvas?.getContext("webgl2") as WebGL2RenderingContext);
-    expect(canvas?.width).toBe(isSoftware ? 450 : 600);
+    expect(canvas?.width).toBe(600);
     Object.defineProperty(globalThis, "devicePixelRatio", { value: 3, configurable: true });
     screens.at(-1)?.dispatchEvent(new Event("change"));
     await settled(element);

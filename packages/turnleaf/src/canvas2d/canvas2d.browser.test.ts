@@ -208,10 +208,11 @@ test.each(["left", "right", "top", "bottom"] as const)("it is bound at the %s", 
   await settled(element);
   const { left, right } = element.spread;
   expect([left, right].sort()).toEqual([6, 7]);
-  // The scans' paper, on both pages.
+  // The scans' paper, on both pages, below their numbers.
   const [across, down] = binding === "left" || binding === "right" ? [60, 0] : [0, 60];
   for (const sign of [-1, 1]) {
-    const [red, , blue] = colourAt(element, 150 + sign * across, 110 + sign * down);
+    const below = across > 0 ? 50 : 0;
+    const [red, , blue] = colourAt(element, 150 + sign * across, 110 + below + sign * down);
     expect(red).toBeGreaterThan(200);
     expect(red - blue).toBeGreaterThan(10);
   }

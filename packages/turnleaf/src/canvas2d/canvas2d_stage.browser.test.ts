@@ -17,6 +17,8 @@ const shapeOf = (quarterTurned: boolean): BookShape => ({
   cloth: "#552222",
   shadows: 1,
   fromAbove: false,
+  tilt: 0,
+  margin: 0.03,
   kind: "typeset",
 });
 

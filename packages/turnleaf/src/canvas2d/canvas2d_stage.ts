@@ -17,7 +17,15 @@ import type {
   Place,
 } from "../stage/book_stage.ts";
 import { fadeBeyondSpine as fade, type Zoom, ZoomState } from "../stage/zoom.ts";
-import { type Layout, layOut, magnified, panelOf, shutness, sightOf } from "./canvas_layout.ts";
+import {
+  type Layout,
+  layOut,
+  magnified,
+  onPixels,
+  panelOf,
+  shutness,
+  sightOf,
+} from "./canvas_layout.ts";
 import { drawBoard } from "./draw_board.ts";
 import { type Brush, drawCase, drawPage, drawStack, thicknessOf } from "./draw_book.ts";
 import { drawFlat, drawFolded } from "./draw_leaf.ts";
@@ -128,6 +136,12 @@ export class Canvas2DStage implements BookStage {
     return Math.min(this.#ratio, Math.sqrt(mostPixels / (this.#width * this.#height)));
   }
 
+  get pageTexels(): number {
+    const { width, height, quarterTurned } = this.#shape;
+    const { scale } = this.#layOut(opened(this.#pose), this.#zooming.zoom);
+    return Math.round(scale * this.#ratio * (quarterTurned ? height : width));
+  }
+
   setFace(face: Face, picture: PagePicture | null): void {
     this.#shown.set(face, picture);
   }
@@ -160,7 +174,7 @@ export class Canvas2DStage implements BookStage {
     const ratio = options?.resting
       ? this.restingRatio
       : Math.min(this.#ratio, mostMovingRatio) * (options?.pixels ?? 1);
-    const [width, height] = [Math.floor(this.#width * ratio), Math.floor(this.#height * ratio)];
+    const [width, height] = [Math.round(this.#width * ratio), Math.round(this.#height * ratio)];
     if (this.#canvas.width !== width || this.#canvas.height !== height) {
       this.#canvas.width = width;
       this.#canvas.height = height;
@@ -196,8 +210,7 @@ export class Canvas2DStage implements BookStage {
   }
 
   projectOpen(point: Vec3): Place {
-    const open = { ...this.#pose, frontBoard: Math.PI, backBoard: 0 };
-    return this.#placeIn(this.#layOut(open, this.#zooming.zoom), point);
+    return this.#placeIn(this.#layOut(opened(this.#pose), this.#zooming.zoom), point);
   }
 
   #placeIn(layout: Layout, [x, y]: Vec3): Place {
@@ -232,7 +245,8 @@ export class Canvas2DStage implements BookStage {
   #layOut(pose: BookPose, zoom: Zoom): Layout {
     const [width, height] = [this.#width, this.#height];
     const whole = layOut(this.#shape, pose, width, height);
-    return magnified(whole, zoom.level, this.#zooming.show(zoom), width, height);
+    const shown = magnified(whole, zoom.level, this.#zooming.show(zoom), width, height);
+    return onPixels(this.#shape, shown, this.#ratio);
   }
 
   /** Fades out what lies beyond the spine of a page that stands alone. */
@@ -366,6 +380,11 @@ export class Canvas2DStage implements BookStage {
     const [picture, detail] = [this.#shown.get(face) ?? null, this.#details.get(face) ?? null];
     drawBoard(brush, { side: isOutside ? "outside" : "inside", angle, picture, detail });
   }
+}
+
+/** Returns a pose with its boards open. */
+function opened(pose: BookPose): BookPose {
+  return { ...pose, frontBoard: Math.PI, backBoard: 0 };
 }
 
 /** Minimum thickness at which a leaf is a board and turns without a fold, metres. */

@@ -14,6 +14,8 @@ const shape: BookShape = {
   cloth: "#6a2a26",
   shadows: 1,
   fromAbove: false,
+  tilt: 0,
+  margin: 0.03,
   kind: "scan",
 };
 const pose = (frontBoard: number): BookPose => ({

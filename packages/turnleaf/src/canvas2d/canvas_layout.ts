@@ -21,53 +21,36 @@ export interface Layout {
 export const stackFraction = 0.3;
 export const stackDrop = 0.18;
 
-interface Margins {
-  readonly sides: number;
-  readonly ends: number;
-}
-
-/** Margins beside an open and a closed book, and above and below, as fractions of the canvas. */
-const openMargins: Margins = { sides: 0.04, ends: 0.09 };
-const closedMargins: Margins = { sides: 0.1, ends: 0.09 };
-
 /** Returns how far a book is closed over its right-hand side, and over its left, 0 to 1. */
 export function shutness({ frontBoard, backBoard }: BookPose): [right: number, left: number] {
   return [ease(1 - frontBoard / Math.PI), ease(backBoard / Math.PI)];
 }
 
 /**
- * Width visible beyond the spine beside a page that stands alone, as a fraction
- * of the page's width.
- */
-const sliver = 0.03;
-
-/**
  * Fits a book to a canvas in CSS pixels: the open spread, the closed book in
  * the middle, or between the two.
  */
 export function layOut(shape: BookShape, pose: BookPose, width: number, height: number): Layout {
-  const { alone, quarterTurned, rim } = shape;
+  const { alone, quarterTurned, rim, margin } = shape;
   const out = stackFraction * shape.thickness;
   const drop = stackDrop * shape.thickness;
   const reach = shape.width + rim + out;
-  const spine = alone === 0 ? 0.5 * out : sliver * shape.width;
-  const onRight = (margin: Margins) => fit(-spine, reach, margin);
-  const onLeft = (margin: Margins) => fit(-reach, spine, margin);
+  // The sliver beyond the spine of a page that stands alone is in the margin.
+  const spine = alone === 0 ? 0.5 * out : 0;
+  const onRight = fit(-spine, reach);
+  const onLeft = fit(-reach, spine);
   const [right, left] = shape.fromAbove ? [0, 0] : shutness(pose);
-  const open =
-    alone === 0 ? fit(-reach, reach, openMargins) : (alone === 1 ? onRight : onLeft)(openMargins);
+  const open = alone === 0 ? fit(-reach, reach) : alone === 1 ? onRight : onLeft;
   const mix = (of: (layout: Layout) => number): number =>
-    of(open) +
-    right * (of(onRight(closedMargins)) - of(open)) +
-    left * (of(onLeft(closedMargins)) - of(open));
+    of(open) + right * (of(onRight) - of(open)) + left * (of(onLeft) - of(open));
   return { scale: mix(({ scale }) => scale), x: mix(({ x }) => x), y: mix(({ y }) => y) };
 
-  function fit(from: number, to: number, margin: Margins): Layout {
+  function fit(from: number, to: number): Layout {
     const [head, foot] = [-rim, shape.height + rim + drop];
     const [room, length] = quarterTurned ? [height, width] : [width, height];
     const scale = Math.min(
-      (room * (1 - 2 * (quarterTurned ? margin.ends : margin.sides))) / (to - from),
-      (length * (1 - 2 * (quarterTurned ? margin.sides : margin.ends))) / (foot - head),
+      (room * (1 - 2 * margin)) / (to - from),
+      (length * (1 - 2 * margin)) / (foot - head),
     );
     const across = room / 2 - (scale * (from + to)) / 2;
     const along = length / 2 - (scale * (head + foot)) / 2;
@@ -118,6 +101,21 @@ export function magnified(
     scale: scale * level,
     x: (x - middle[0] * width) * level + width / 2,
     y: (y - middle[1] * height) * level + height / 2,
+  };
+}
+
+/**
+ * Moves and scales a layout by less than a pixel of the screen, so that a page is a whole number of
+ * these wide, and begins with one.
+ *
+ * @param ratio pixels of the screen for each CSS pixel
+ */
+export function onPixels(shape: BookShape, { scale, x, y }: Layout, ratio: number): Layout {
+  const across = (shape.quarterTurned ? shape.height : shape.width) * ratio;
+  return {
+    scale: Math.max(Math.round(scale * across), 1) / across,
+    x: Math.round(x * ratio) / ratio,
+    y: Math.round(y * ratio) / ratio,
   };
 }
 

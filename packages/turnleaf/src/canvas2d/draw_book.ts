@@ -40,16 +40,16 @@ export const light = (opacity: number): string => `rgb(255 253 246 / ${opacity})
 
 /**
  * The rise of the pages from the gutter: the left page faces away from the
- * light, the right one toward it.
+ * light, the right one toward it. Beyond the inner margin no shade takes from the print.
  */
 const leftGutter: Stops = [
   [0, shade(0.5)],
   [0.012, shade(0.36)],
-  [0.05, shade(0.2)],
-  [0.12, shade(0.09)],
-  [0.22, shade(0.03)],
-  [0.34, shade(0.006)],
-  [0.5, shade(0)],
+  [0.05, shade(0.18)],
+  [0.09, shade(0.08)],
+  [0.13, shade(0.035)],
+  [0.2, shade(0.01)],
+  [0.3, shade(0)],
   [0.8, shade(0)],
   [1, shade(0.035)],
 ];
@@ -91,7 +91,7 @@ export function drawPage(
     pen.save();
     pen.imageSmoothingQuality = "high";
     stretchTo(pen, box, shape.quarterTurned);
-    pen.drawImage(picture, 0, 0, 1, 1);
+    drawPicture(pen, picture);
     drawDetail(pen, detail);
     pen.restore();
   } else {
@@ -99,6 +99,23 @@ export function drawPage(
     pen.fillRect(box[0], 0, width, height);
   }
   fillBetween(pen, [0, 0, sign * width, 0], sign === 1 ? rightGutter : leftGutter, box);
+}
+
+/** Draws a picture over the square of side 1: pixel by pixel, if it is as large as that on the canvas. */
+function drawPicture(pen: CanvasRenderingContext2D, picture: PagePicture): void {
+  const square = pen.getTransform();
+  const { a: width, b, c, d: height, e: left, f: top } = square;
+  const isUpright = Math.max(Math.abs(b), Math.abs(c)) < 0.01;
+  // Heights are rounded down where pictures are drawn.
+  const isAsLarge =
+    Math.abs(picture.width - width) < 0.01 && Math.abs(picture.height - height) <= 1;
+  if (!isUpright || !isAsLarge) {
+    pen.drawImage(picture, 0, 0, 1, 1);
+    return;
+  }
+  pen.setTransform(1, 0, 0, 1, Math.round(left), Math.round(top));
+  pen.drawImage(picture, 0, 0);
+  pen.setTransform(square);
 }
 
 /** Draws a detail over its picture, which fills the square of side 1. */

@@ -15,8 +15,14 @@ const lookAhead = 0.15;
 /** Time in seconds over which a leaf's speed is measured. */
 export const speedTime = 0.05;
 
-/** Height of a played leaf's corner on its path, as a fraction of the page's height. */
+/**
+ * Height of a played leaf's path, as a fraction of the page's height. The corner is lifted at once and
+ * comes down as it goes over, by this power of the way that is left: folded over far, what it is lifted
+ * by is what the other corner reaches beyond the page, which stays in a book's margin, 0.03 of the
+ * page, for pages of up to 2 to 3.
+ */
 const archFraction = 0.2;
+const archDescent = 3;
 
 /** A path from where the leaf was to a side. */
 interface PeelPath {
@@ -176,7 +182,7 @@ export class Peel {
     const t = time / seconds;
     if (t >= 1) return goal;
     const fraction = isFall ? 1 - (1 - t) ** 3 : t * t * (3 - 2 * t);
-    const lift = arch * Math.sin(Math.PI * fraction);
+    const lift = arch * Math.sin(Math.PI * fraction) * (1 - fraction) ** archDescent;
     const x = from[0] + (goal[0] - from[0]) * fraction;
     const y = from[1] + (goal[1] - from[1]) * fraction + lift;
     return withinReach(this.#rest, [x, y], this.#size.height);

@@ -32,6 +32,7 @@ export type ActionName =
   | "play"
   | "readAloud"
   | "sound"
+  | "tilt"
   | "foldOut"
   | "tearOut"
   | "crumple"
@@ -43,6 +44,10 @@ export type ActionName =
 /** Zoom factor of one press. */
 const zoomStep = 1.5;
 export const maxZoom = 8;
+
+/** Degrees by which the eye leans back that a reader chose to lean back. */
+const leaning = 12;
+const isTilted = (book: ControlledBook): boolean => Number(book.getAttribute("tilt") ?? 0) > 0;
 
 /** The page of a new bookmark: the first visible one. */
 const isMarked = (book: ControlledBook): boolean => book.bookmarks.includes(book.page);
@@ -122,6 +127,13 @@ export function actionsOf(
       label: () => texts.sound,
       run: () => void book.toggleAttribute("sound"),
       pressed: () => book.hasAttribute("sound"),
+    },
+    tilt: {
+      icon: () => "tilt",
+      label: () => texts.tilt,
+      run: () => book.setAttribute("tilt", String(isTilted(book) ? 0 : leaning)),
+      pressed: () => isTilted(book),
+      hidden: () => book.getAttribute("camera") === "overhead",
     },
     foldOut: {
       icon: () => "foldOut",

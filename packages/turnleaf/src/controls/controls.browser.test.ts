@@ -364,7 +364,7 @@ test("the menu works by key and chooses a theme", async () => {
   more.focus();
   await userEvent.keyboard("{Enter}");
   expect(active(root)).toBe("Start the slide-show");
-  await userEvent.keyboard("{ArrowDown}{ArrowDown}{ArrowDown}{ArrowDown}");
+  await userEvent.keyboard("{ArrowDown}{ArrowDown}{ArrowDown}{ArrowDown}{ArrowDown}");
   expect(active(root)).toBe("Download");
   await userEvent.keyboard("{Enter}");
   expect(book.asked).toEqual(["download"]);
@@ -383,6 +383,20 @@ test("the menu works by key and chooses a theme", async () => {
   const items = [...root.querySelectorAll<HTMLElement>("[role=menuitem]")];
   const seen = items.filter((item) => item.offsetParent).map((item) => item.textContent);
   expect(seen).toEqual(["Stop the slide-show"]);
+});
+
+test("the menu has the eye lean back and look from above again", async () => {
+  const { book, root } = addFakeBook();
+  const choose = async (): Promise<void> => {
+    named(root, "More").focus();
+    await userEvent.keyboard("{Enter}{ArrowDown}{ArrowDown}");
+    expect(active(root)).toBe("Seen at an angle");
+    await userEvent.keyboard("{Enter}");
+  };
+  await choose();
+  expect(book.getAttribute("tilt")).toBe("12");
+  await choose();
+  expect(book.getAttribute("tilt")).toBe("0");
 });
 
 test("the menu folds out, tears and crumples where there is something to", async () => {

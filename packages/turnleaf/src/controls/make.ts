@@ -22,6 +22,7 @@ export function make<K extends keyof HTMLElementTagNameMap>(
 
 /** Paths on a field of 24 x 24, drawn with a round pen. */
 const paths = {
+  tilt: "M7.5 6h9L20 18H4zM12 6v12",
   contents: "M9.5 6.5h10M9.5 12h10M9.5 17.5h10M4.5 6.5h1M4.5 12h1M4.5 17.5h1",
   thumbnails: "M4.5 4.5h6v6h-6zM13.5 4.5h6v6h-6zM4.5 13.5h6v6h-6zM13.5 13.5h6v6h-6z",
   search: "M16 10.5a5.5 5.5 0 1 1-11 0a5.5 5.5 0 0 1 11 0M14.6 14.6l5 5",

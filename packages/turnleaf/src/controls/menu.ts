@@ -12,6 +12,7 @@ const inBar: readonly ActionName[] = ["zoomIn", "zoomOut", "layout", "fullscreen
 const always: readonly ActionName[] = [
   "play",
   "sound",
+  "tilt",
   "shift",
   "foldOut",
   "tearOut",

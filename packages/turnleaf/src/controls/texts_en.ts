@@ -34,6 +34,7 @@ export const en: ControlTexts = {
   readAloud: "Read aloud",
   stopReadingAloud: "Stop reading aloud",
   sound: "Sound of paper",
+  tilt: "Seen at an angle",
   unfold: "Unfold this page",
   foldIn: "Fold this page in",
   tearOut: "Tear this page out",

@@ -564,20 +564,31 @@ export class OpenBook {
     const stage = this.#stage;
     const view = this.#element.ownerDocument.defaultView ?? window;
     const plane = this.#plane;
-    const resize = (): void => {
+    const resize = (pixels?: ResizeObserverSize): void => {
       const { clientWidth, clientHeight } = stage;
       if (clientWidth > 0 && clientHeight > 0) {
         // Printed, it is as on the screen, scaled.
         stage.style.setProperty("--screen-width", `${clientWidth}px`);
         stage.style.setProperty("--screen-height", `${clientHeight}px`);
-        this.viewer.resize(clientWidth, clientHeight, view.devicePixelRatio, rounded(plane.scale));
+        const ratio = view.devicePixelRatio;
+        // Whole pixels of the screen, so that those of the canvas are these.
+        const width = wholePixels(clientWidth * ratio, pixels?.inlineSize);
+        const height = wholePixels(clientHeight * ratio, pixels?.blockSize);
+        this.viewer.resize(width / ratio, height / ratio, ratio, rounded(plane.scale));
       }
     };
-    const observer = new view.ResizeObserver(resize);
-    observer.observe(stage);
+    const observer = new view.ResizeObserver(([entry]) =>
+      resize(entry?.devicePixelContentBoxSize?.[0]),
+    );
+    try {
+      observer.observe(stage, { box: "device-pixel-content-box" });
+    } catch {
+      // Not in WebKit.
+      observer.observe(stage);
+    }
     signal.addEventListener("abort", () => observer.disconnect(), { once: true });
-    watchRatio(view, resize, signal);
-    watchTransformation(this.#element, resize, signal);
+    watchRatio(view, () => resize(), signal);
+    watchTransformation(this.#element, () => resize(), signal);
     resize();
   }
 }
@@ -585,6 +596,14 @@ export class OpenBook {
 /** Returns a scale without what lengths that are measured differ by from place to place. */
 function rounded(scale: number): number {
   return Math.round(1000 * scale) / 1000;
+}
+
+/**
+ * Returns a length in whole pixels of the screen: as it was measured, unless that is another length, as
+ * where lines of text run downward, or where a browser emulates a screen.
+ */
+function wholePixels(length: number, measured: number = Number.NaN): number {
+  return Math.abs(measured - length) < 1 + window.devicePixelRatio ? measured : Math.round(length);
 }
 
 /** Follows the pixel ratio of a window's screen, which changes with the zoom and from screen to screen. */

@@ -21,6 +21,13 @@ it("keeps a book's place and gives it back", () => {
   storage();
   expect(loadPlace("a")).toBe(null);
   savePlace("a", { page: 7, zoom: 1.5, bookmarks: [2, 9], shifts: [4], folds: [], pageFolds: [] });
+  savePlace("c", {
+    ...{ page: 3, zoom: 1, bookmarks: [], shifts: [] },
+    folds: [],
+    pageFolds: [],
+    tilt: "6",
+  });
+  expect(loadPlace("c")?.tilt).toBe("6");
   savePlace("b", { page: 3, zoom: 1, bookmarks: [], shifts: [], folds: [], pageFolds: [] });
   expect(loadPlace("a")).toEqual({
     page: 7,

@@ -107,7 +107,7 @@ export class PlaceKeeper {
   }
 
   /**
-   * Sets flowing text as its reader had it, where the element does not say it
+   * Has the book seen and its flowing text set as its reader had it, where the element does not say it
    * otherwise, and finds the page where he was. Resolves to the page (from 1) of `left`, null if that
    * is unknown. Never rejects: a book opens at its beginning where that fails.
    *
@@ -116,9 +116,10 @@ export class PlaceKeeper {
    */
   async restore(source: PageList, src: string, left?: string): Promise<number | null> {
     this.#addresses.set(source, src);
-    if (!source.findAnchors) return null;
     const isKept = this.#book.hasAttribute("remember");
     const kept = isKept ? loadPlace(this.#name(source)) : null;
+    if (kept?.tilt && !this.#book.hasAttribute("tilt")) this.#book.setAttribute("tilt", kept.tilt);
+    if (!source.findAnchors) return null;
     const { anchors = [], typography = {} } = kept?.text ?? {};
     const asked = this.#asked;
     // A number is of the pages as they were counted then: the text with which its page began says more.
@@ -223,7 +224,10 @@ export class PlaceKeeper {
     const folds = dogEars.map(
       ({ page, corner, size }): Fold => [bookmarks.indexOf(page), corner === "head" ? 1 : 0, size],
     );
-    savePlace(this.#name(source), { page, zoom, bookmarks, shifts, folds, pageFolds, ...text });
+    const tilt = this.#book.getAttribute("tilt");
+    const seen = tilt === null ? {} : { tilt };
+    const place = { page, zoom, bookmarks, shifts, folds, pageFolds, ...seen, ...text };
+    savePlace(this.#name(source), place);
   }
 
   /** Returns the attributes that say how text is set, and their values. */
@@ -272,6 +276,8 @@ export interface SavedPlace {
   readonly folds: readonly Fold[];
   /** The folds of pages besides their corners. */
   readonly pageFolds: readonly PageFold[];
+  /** The attribute that says how far the eye leans back, if there is one. */
+  readonly tilt?: string;
   /** Of flowing text, whose pages change with its size. */
   readonly text?: {
     /** The anchor of the page, those of the bookmarks, and those of the folds' pages. */
@@ -296,7 +302,7 @@ const longestStore = 400_000;
 export function loadPlace(name: string): SavedPlace | null {
   const found = read().find(([other]) => other === short(name));
   if (found === undefined) return null;
-  const [, page, zoom, bookmarks, shifts, text, folds, pageFolds] = found;
+  const [, page, zoom, bookmarks, shifts, text, folds, pageFolds, tilt] = found;
   return {
     page: isPage(page) ? page : 1,
     zoom: typeof zoom === "number" && zoom >= 1 && zoom <= 8 ? zoom : 1,
@@ -306,6 +312,7 @@ export function loadPlace(name: string): SavedPlace | null {
     pageFolds: cleanFolds(
       Array.isArray(pageFolds) ? pageFolds.slice(0, mostFolds).map(foldOf) : [],
     ),
+    ...(typeof tilt === "string" && tilt !== "" ? { tilt: tilt.slice(0, longestValue) } : {}),
     ...cleanText(text),
   };
 }
@@ -348,7 +355,7 @@ function cleanText(text: unknown): Pick<SavedPlace, "text"> {
 
 /** Keeps a book; the one read longest ago is dropped. */
 export function savePlace(name: string, place: SavedPlace): void {
-  const { page, zoom, bookmarks, shifts, folds, pageFolds, text } = place;
+  const { page, zoom, bookmarks, shifts, folds, pageFolds, text, tilt = "" } = place;
   const others = read().filter(([other]) => other !== short(name));
   const row: unknown[] = [short(name), page, Math.round(zoom * 100) / 100, bookmarks, shifts];
   const rows = pageFolds.map(({ page, from, to, angle }) => [
@@ -359,9 +366,10 @@ export function savePlace(name: string, place: SavedPlace): void {
     to.y,
     angle,
   ]);
-  const isFolded = folds.length > 0 || rows.length > 0;
-  if (text || isFolded) row.push(text ? [text.anchors, text.typography] : null);
-  if (isFolded) row.push(folds, rows);
+  const hasMore = folds.length > 0 || rows.length > 0 || tilt !== "";
+  if (text || hasMore) row.push(text ? [text.anchors, text.typography] : null);
+  if (hasMore) row.push(folds, rows);
+  if (tilt !== "") row.push(tilt);
   const all = [row, ...others];
   try {
     localStorage.setItem(key, JSON.stringify(all.slice(0, mostBooks)));
@@ -370,7 +378,7 @@ export function savePlace(name: string, place: SavedPlace): void {
   }
 }
 
-/** Returns rows of name, page, zoom, bookmarks, shifts, text, folded corners and folds (if any); only the name is checked. */
+/** Returns rows of name, page, zoom, bookmarks, shifts, text, folded corners, folds and tilt (if any); only the name is checked. */
 function read(): [string, ...unknown[]][] {
   try {
     const text = localStorage.getItem(key) ?? "";

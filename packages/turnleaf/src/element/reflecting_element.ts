@@ -288,9 +288,9 @@ export class ReflectingElement extends Base {
   }
 
   /**
-   * From where the book is seen: by a `reader`, who sits before it and looks at the closed book
-   * from nearer and a little beside its spine; or from `overhead`, so that its pages are
-   * rectangles, and a closed book lies where its pages lie when it is open.
+   * From where the book is seen: by a `reader`, who sees the open book from right above, or as far
+   * from it as `tilt` says, and a closed book in boards from nearer and a little beside its spine; or
+   * from `overhead`, whatever `tilt` says, so that a closed book lies where its pages lie when it is open.
    *
    * @attribute camera
    * @default reader
@@ -301,6 +301,38 @@ export class ReflectingElement extends Base {
 
   set camera(camera: Options["camera"]) {
     this.setAttribute("camera", camera);
+  }
+
+  /**
+   * How far a reader's eye leans back from right above the open book, degrees: 0 to 12. At 0 pages at
+   * rest are drawn pixel by pixel. Zoomed in, the book is seen from above. Where a leaf
+   * would rise out of the picture of a leaning eye, the book is smaller. `remember` keeps it.
+   *
+   * @attribute tilt
+   * @default 0
+   */
+  get tilt(): number {
+    return bindingOptionsOf(this).tilt;
+  }
+
+  set tilt(degrees: number) {
+    this.setAttribute("tilt", String(degrees));
+  }
+
+  /**
+   * How much of the element stays free around the open book: a fraction of its width, or of its
+   * height, at each edge of the two between which the book just fits; 0 to 0.25. A leaf
+   * that swings upright is seen in the margin; below 0.02 some of it may be cut off at the edge.
+   *
+   * @attribute margin
+   * @default 0.03
+   */
+  get margin(): number {
+    return bindingOptionsOf(this).margin;
+  }
+
+  set margin(fraction: number) {
+    this.setAttribute("margin", String(fraction));
   }
 
   /**

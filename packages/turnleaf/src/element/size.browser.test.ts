@@ -33,7 +33,7 @@ async function shown(
 
 test("without a height it is as high as two of the book's pages ask for", async () => {
   const upright = await shown("width: 480px");
-  expect([upright.width, upright.height]).toEqual([480, 400]);
+  expect([upright.width, upright.height]).toEqual([480, 360]);
   const wide = await shown("width: 480px", "", [160, 90]);
   expect(wide.height).toBe(192);
   const calendar = await shown("width: 400px", "", [120, 80], { binding: "top" });

@@ -23,6 +23,8 @@ const attributeProps = [
   "cloth",
   "shadows",
   "camera",
+  "tilt",
+  "margin",
   "gestures",
   "swipeDistance",
   "binding",

@@ -82,7 +82,12 @@ function drawOn(
   across = pen.canvas.width,
   down = pen.canvas.height,
 ): void {
-  pen.drawImage(picture, x * across, y * down, width * across, height * down);
+  const [left, top] = [Math.round(x * across), Math.round(y * down)];
+  const isThatLarge = (length: number, wanted: number) => Math.abs(length - wanted) <= 1;
+  // One that was drawn for this place is copied as it is.
+  if (isThatLarge(picture.width, width * across) && isThatLarge(picture.height, height * down)) {
+    pen.drawImage(picture, left, top);
+  } else pen.drawImage(picture, x * across, y * down, width * across, height * down);
 }
 
 /**

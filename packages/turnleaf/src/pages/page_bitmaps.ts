@@ -139,15 +139,21 @@ export class PageBitmaps {
   }
 
   /**
-   * Requests pages (from 1), `width` device pixels wide.
+   * Requests pages (from 1).
    *
+   * @param widthOf returns the width of one, device pixels
    * @param roughly if true, pages in flight are wanted only roughly: two dozen
    * sharp ones would take more memory than the pool may
    */
-  want({ pages, inSight, lyingOpen }: PagesWanted, width: number, roughly: boolean): void {
+  want(
+    { pages, inSight, lyingOpen }: PagesWanted,
+    widthOf: (page: number) => number,
+    roughly: boolean,
+  ): void {
     this.#inSight = new Set(pages.slice(0, inSight));
-    const rough = Math.min(width, Math.max(Math.ceil(width / 3), leastRoughWidth));
     const wanted = pages.map((page, at) => {
+      const width = widthOf(page);
+      const rough = Math.min(width, Math.max(Math.ceil(width / 3), leastRoughWidth));
       const isRough = roughly && at >= lyingOpen && at < inSight;
       return { index: page - 1, width: isRough ? rough : width, isRough };
     });

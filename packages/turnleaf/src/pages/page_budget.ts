@@ -28,6 +28,15 @@ export interface Bounds {
 /** Height over width assumed for an unknown page. */
 const usualRatio = 1.5;
 
+/**
+ * Returns whether a bitmap is as wide as is wanted of its page: just so, as its texels may be pixels
+ * of the screen; a rough one may be wider.
+ */
+export function isAsWanted(page: WantedPage, held: HeldPage | undefined): boolean {
+  const asked = held?.asked ?? 0;
+  return page.isRough ? asked >= page.width : asked === page.width;
+}
+
 /** Returns the memory of a bitmap: 4 bytes per pixel. */
 export function pictureBytes(picture: PagePicture): number {
   return 4 * picture.width * picture.height;
@@ -69,7 +78,7 @@ export function withinBudget(
   let bytes = 0;
   for (const page of wanted) {
     const have = held.get(page.index);
-    const isSharp = have !== undefined && have.asked >= page.width;
+    const isSharp = have !== undefined && isAsWanted(page, have);
     const ratio = ratios.get(page.index) ?? usualRatio;
     bytes += isSharp ? have.bytes : 4 * page.width * page.width * ratio;
     const isOver = fitting.size >= bounds.pages || bytes > bounds.bytes;

@@ -94,7 +94,7 @@ test("a picture of the leaf's proportions is shown itself", async () => {
   const { source, drawn } = slides();
   const leaf = { width: 2, height: 1 };
   const pictures = new PageBitmaps(source, leaf, { onArrive: () => {}, onDrop: () => {} });
-  pictures.want({ pages: [1], inSight: 1, lyingOpen: 1 }, 256, false);
+  pictures.want({ pages: [1], inSight: 1, lyingOpen: 1 }, () => 256, false);
   await eventually(() => pictures.settled).toBe(true);
   expect(pictures.get(1)).toBe(drawn.at(-1));
   pictures.close();
@@ -111,7 +111,7 @@ test("of a picture that was fitted the fitted one alone is held, and freed at th
       onDrop: (picture) => dropped.push(picture),
     },
   );
-  pictures.want({ pages: [1], inSight: 1, lyingOpen: 1 }, 256, false);
+  pictures.want({ pages: [1], inSight: 1, lyingOpen: 1 }, () => 256, false);
   await eventually(() => pictures.settled).toBe(true);
   for (const { width } of drawn) expect(width).toBe(0);
   const shown = pictures.get(1);
@@ -145,7 +145,7 @@ test("in place of a page that takes long stands a sentence, until it is drawn", 
     const { data } = pen.getImageData(0, 0, picture.width, picture.height);
     return data.filter((value, k) => k % 4 === 0 && value < 0xc0).length;
   };
-  pictures.want({ pages: [1], inSight: 1, lyingOpen: 1 }, 300, false);
+  pictures.want({ pages: [1], inSight: 1, lyingOpen: 1 }, () => 300, false);
   await eventually(() => finish.length).toBe(1);
   const waiting = pictures.get(1);
   elapse();

@@ -191,16 +191,19 @@ describe("what is drawn", () => {
     expect(source.open).toEqual(["20:600", "21:600"]);
   });
 
-  it("draws again when a page is wanted wider, and not when narrower", async () => {
+  it("draws again when a page is wanted in another width, but not when roughly and narrower", async () => {
     const source = new FakeSource();
     const pool = new PagePool(source);
     pool.want(at(600, 1));
     await source.finishEverything();
-    pool.want(at(400, 1));
+    pool.want([{ index: 1, width: 400, isRough: true }]);
     expect(source.open).toEqual([]);
+    pool.want(at(400, 1));
+    expect(source.open).toEqual(["1:400"]);
+    await source.finishEverything();
     pool.want(at(1200, 1));
     expect(source.open).toEqual(["1:1200"]);
-    expect(pool.get(1)?.width).toBe(600);
+    expect(pool.get(1)?.width).toBe(400);
   });
 
   it("ignores pages that the book does not have, and a page named twice", async () => {

@@ -4,6 +4,7 @@ import {
   type Bounds,
   dropOrder,
   type HeldPage,
+  isAsWanted,
   pictureBytes,
   type WantedPage,
   withinBudget,
@@ -204,20 +205,14 @@ export class PagePool {
   get settled(): boolean {
     return this.#wanted
       .slice(0, this.#inSight)
-      .every(
-        ({ index, width }) =>
-          this.#failed.has(index) || (this.#held.get(index)?.asked ?? 0) >= width,
-      );
+      .every((page) => this.#failed.has(page.index) || this.#isHeld(page));
   }
 
   /** Whether every listed page that fits in memory is as sharp as requested, or has failed. */
   get ready(): boolean {
     const affordable = withinBudget(this.#wanted, this.#held, this.#bounds, this.#ratios);
     return this.#wanted.every(
-      ({ index, width }) =>
-        this.#failed.has(index) ||
-        !affordable.has(index) ||
-        (this.#held.get(index)?.asked ?? 0) >= width,
+      (page) => this.#failed.has(page.index) || !affordable.has(page.index) || this.#isHeld(page),
     );
   }
 
@@ -267,9 +262,7 @@ export class PagePool {
     if (bare) return this.#job(bare, !bare.isRough && this.#roughPays);
     if (this.#isPaused) return null;
     const affordable = withinBudget(this.#wanted, this.#held, this.#bounds, this.#ratios);
-    const next = open.find(
-      (page) => (this.#held.get(page.index)?.asked ?? 0) < page.width && affordable.has(page.index),
-    );
+    const next = open.find((page) => !this.#isHeld(page) && affordable.has(page.index));
     return next ? this.#job(next, false) : null;
   }
 
@@ -300,6 +293,11 @@ export class PagePool {
   #end(job: Job): void {
     job.cancelTimer();
     this.#jobs.delete(job.index);
+  }
+
+  /** Whether a page has a bitmap as wide as it is wanted. */
+  #isHeld(page: WantedPage): boolean {
+    return isAsWanted(page, this.#held.get(page.index));
   }
 
   #isInSight(page: WantedPage): boolean {

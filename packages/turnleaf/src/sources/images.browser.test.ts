@@ -374,13 +374,15 @@ describe("unreadable input fails in one sentence", () => {
     expect(await fails(() => new Response("<!doctype html>"))).toMatch(
       /is a web page, not a book; PDF/,
     );
-    expect(await fails(() => new Response("PK\x03\x04"))).toMatch(/^a book\.json is damaged \(/);
+    expect(await fails(() => new Response("PK\x03\x04"))).toMatch(
+      /^a book\.json is damaged: it is no ZIP file/,
+    );
     const other = zipSync({ "notes.doc": new Uint8Array(9) }) as Uint8Array<ArrayBuffer>;
     expect(await fails(() => new Response(other))).toMatch(
       /is an archive with no book in it; open another/,
     );
     expect(await fails(() => new Response("Rar!\x1a\x07\0"))).toMatch(
-      /^a book\.json is damaged \(/,
+      /^a book\.json is damaged: it is no ZIP file/,
     );
     expect(await fails(() => new Response("\x00\x01"))).toMatch(/is of an unknown format; PDF,/);
   });

@@ -118,15 +118,25 @@ function isFictionBook(text: string): boolean {
   return fictionBook.every((mark) => mark.test(words));
 }
 
+/** Control characters that neither terminals and printers know nor DOS writes at the end of a file. */
+// biome-ignore lint/suspicious/noControlCharactersInRegex: these are looked for
+const strangeControls = /[\x00-\x06\x10-\x19\x1c-\x1f\x7f]/g;
+
+/** Bytes of text, at least, for each of these, unless the media type says text: code has one in fewer. */
+const leastText = 10;
+
 /**
  * Returns whether bytes are text: UTF-8, UTF-16 by its mark, or, where the
  * media type says text, in any encoding. Old programs wrote control characters into text, such as the
- * end of a DOS file or what terminals print bold; a byte of 0 none did.
+ * end of a DOS file or what terminals print bold; a byte of 0 none did, and others are rare in it.
  */
 function isText(start: Uint8Array, type: string): boolean {
   if (start.length === 0) return false;
-  if (/^(\xff\xfe|\xfe\xff)/.test(latin1(start.subarray(0, 2)))) return true;
+  const text = latin1(start);
+  if (/^(\xff\xfe|\xfe\xff)/.test(text)) return true;
   if (start.includes(0)) return false;
+  const strange = text.match(strangeControls)?.length ?? 0;
+  if (strange * leastText > start.length && !type.startsWith("text/")) return false;
   try {
     // The last character may be cut off.
     const stream = start.length >= sniffLength;

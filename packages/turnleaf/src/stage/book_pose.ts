@@ -25,6 +25,10 @@ export interface BookShape {
   readonly shadows: number;
   /** Whether it is seen from right above, and closed where it lies when it is open; otherwise from where a reader sits. */
   readonly fromAbove: boolean;
+  /** How far the eye of a reader leans back from right above the open book, degrees: 0 to 12. */
+  readonly tilt: number;
+  /** Fraction of its place that stays free at each edge of the book: 0 to 0.25. */
+  readonly margin: number;
   /** Scans are never drawn brighter than they are. */
   readonly kind: "typeset" | "scan";
 }

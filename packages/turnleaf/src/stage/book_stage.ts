@@ -33,8 +33,10 @@ export interface FaceDetail {
 
 /** How a frame is drawn. */
 export interface DrawOptions {
-  /** If true, nothing moves: the frame is drawn at twice the CSS resolution at least, for sharp text. */
+  /** If true, nothing moves: the frame has several pixels for each of the screen, where these are large. */
   readonly resting?: boolean;
+  /** If true, the view does not move: the print of pages that lie is laid on the pixels of the screen. */
+  readonly steady?: boolean;
   /** Of a frame that is not at rest: fraction of the screen's pixel ratio, 1 by default. */
   readonly pixels?: number;
 }
@@ -59,6 +61,11 @@ export interface BookStage {
   readonly isSoftware: boolean;
   /** Canvas pixels for each CSS pixel in a frame at rest. */
   readonly restingRatio: number;
+  /**
+   * Width of a bitmap of a whole page each of whose texels is a pixel of the screen where it lies open;
+   * 0 where pages are seen aslant, and bitmaps are filtered.
+   */
+  readonly pageTexels: number;
   /** A key of the projection: two equal keys mean the same projection. */
   readonly viewKey: string;
   /** The zoom level and the centre of the view. Setting it clamps it to the book. */

@@ -118,7 +118,7 @@ test("zoomed, the text lies where the print is", async () => {
     return [box.left - ink.left, box.right - ink.right];
   };
   const before = await offPrint();
-  await awayAndBack(element, () => element.zoomTo(2, { x: 140, y: 145 }));
+  await awayAndBack(element, () => element.zoomTo(2, { x: 110, y: 110 }));
   const after = await offPrint();
   for (const side of [0, 1]) expect(Math.abs(after[side] - 2 * before[side])).toBeLessThan(3);
 });

@@ -36,6 +36,10 @@ export interface BindingOptions extends LayoutOptions {
   readonly shadows: number;
   /** From where it is seen: where a reader sits, or right above. */
   readonly camera: "reader" | "overhead";
+  /** How far a reader's eye leans back from right above the open book, degrees: 0 to 12. */
+  readonly tilt: number;
+  /** Fraction of its place that stays free at each edge of the book: 0 to 0.25. */
+  readonly margin: number;
 }
 
 /** The properties of a book that no binding changes. */
@@ -78,7 +82,7 @@ export function layOutBinding(
 ): BindingLayout {
   const { source } = book;
   const { pageCount, kind } = source;
-  const { cover, cloth, shadows, camera } = options;
+  const { cover, cloth, shadows, camera, tilt, margin } = options;
   const edge = edgeFor(options.binding, source);
   const isQuarterTurned = edge === "top" || edge === "bottom";
   const requested = options.layout === "auto" ? (source.layout ?? "auto") : options.layout;
@@ -106,6 +110,8 @@ export function layOutBinding(
     cloth,
     shadows,
     fromAbove: camera === "overhead",
+    tilt,
+    margin,
     kind,
     quarterTurned,
     alone: layout === "spread" ? 0 : reversed ? -1 : 1,

@@ -3,13 +3,13 @@
  * drawn again at the screen's resolution and laid over the bitmap.
  */
 
-import type { Face } from "../book/faces.ts";
+import { type Face, isBoardFace } from "../book/faces.ts";
 import type { PageBitmaps } from "../pages/page_bitmaps.ts";
 import { closePicture } from "../pages/page_pool.ts";
 import type { PageBox, PagePicture, PageSource } from "../sources/page_source.ts";
 import type { BookStage } from "../stage/book_stage.ts";
 import type { Bindable } from "./bound_book.ts";
-import { acrossAt, isCoarse, type OpenPage } from "./face_textures.ts";
+import { isCoarse, type OpenPage, texelsAt } from "./face_textures.ts";
 
 /** What draws and shows sharper parts of pages. */
 export interface SharpnessParts {
@@ -28,8 +28,10 @@ export interface SharpnessParts {
 /** The part of a page in sight, as fractions of its leaf, and its apparent size. */
 interface VisiblePart {
   readonly box: PageBox;
-  /** Canvas pixels across the whole leaf. */
+  /** Texels of it that are seen across the whole leaf. */
   readonly across: number;
+  /** Whether each of these is a pixel of the screen. */
+  readonly isOnGrid: boolean;
 }
 
 /** A part of a page that is drawn or being drawn. */
@@ -43,7 +45,7 @@ interface Detail extends VisiblePart {
 }
 
 /**
- * Texels per canvas pixel: interpolation between texels blurs a page, and less
+ * Texels per canvas pixel where they are interpolated: that blurs a page, and less
  * so if they are finer.
  */
 const finer = 1.25;
@@ -95,8 +97,9 @@ export class DetailPictures {
       const box = isCoarse(this.#stage, seen) ? this.#boxInSight(face, width, height) : null;
       if (box === null) this.#drop(face);
       else {
-        const across = acrossAt(this.#stage, face, ...middleOf(box));
-        this.#want(face, page, { box, across });
+        const across = texelsAt(this.#stage, face, ...middleOf(box));
+        const isOnGrid = !isBoardFace(face) && this.#stage.pageTexels > 0;
+        this.#want(face, page, { box, across, isOnGrid });
       }
     }
   }
@@ -127,9 +130,9 @@ export class DetailPictures {
     }
     this.#abort(face);
     const drawing = new AbortController();
-    const { across } = sighted;
+    const { across, isOnGrid } = sighted;
     const reach = reaching(sighted, this.#book.aspect);
-    const detail: Detail = { page, across, ...reach, picture: null, drawing };
+    const detail: Detail = { page, across, isOnGrid, ...reach, picture: null, drawing };
     this.#coming.set(face, detail);
     void this.#draw(face, detail);
   }
@@ -205,8 +208,9 @@ export class DetailPictures {
 }
 
 /** Returns whether a detail covers the part in sight at about its apparent size. */
-function serves(detail: VisiblePart, { box, across }: VisiblePart): boolean {
+function serves(detail: VisiblePart, { box, across, isOnGrid }: VisiblePart): boolean {
   const slack = 1e-6;
+  if (isOnGrid && detail.across !== across) return false;
   return (
     detail.box.x <= box.x + slack &&
     detail.box.y <= box.y + slack &&
@@ -218,8 +222,11 @@ function serves(detail: VisiblePart, { box, across }: VisiblePart): boolean {
 }
 
 /** Returns the part to draw for a part in sight: somewhat more of the page, within memory. */
-function reaching({ box, across }: VisiblePart, aspect: number): Pick<Detail, "box" | "texels"> {
-  const texels = across * finer;
+function reaching(
+  { box, across, isOnGrid }: VisiblePart,
+  aspect: number,
+): Pick<Detail, "box" | "texels"> {
+  const texels = isOnGrid ? across : across * finer;
   const pixels = ({ width, height }: PageBox): number => texels ** 2 * width * (height / aspect);
   let best = box;
   for (const fraction of [beyond, beyond / 2, 0]) {

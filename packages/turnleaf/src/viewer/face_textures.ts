@@ -13,7 +13,7 @@ import {
   isBoardFace,
   pagesWanted,
 } from "../book/faces.ts";
-import { type Binding, leftPage, pagesAt, rightPage } from "../book/spreads.ts";
+import { type Binding, leftPage, pagesAt, rightPage, spineOf } from "../book/spreads.ts";
 import type { Turning } from "../book/turning.ts";
 import { Side } from "../engine/phases.ts";
 import type { PageBitmaps } from "../pages/page_bitmaps.ts";
@@ -30,25 +30,39 @@ import type { FoldOut } from "./fold_out.ts";
  */
 const mostSharpFlights = 2;
 
+/** Widths of bitmaps of whole pages, device pixels. */
+export interface BitmapWidths {
+  /** Of a page of paper. */
+  readonly page: number;
+  /** Of one on a board. */
+  readonly board: number;
+}
+
+/** Maximum of them. */
+const widest = 2048;
+
 /**
- * Returns the width in device pixels at which a page looks sharp when the whole
- * book is shown, in steps, so that a small change of size redraws nothing.
+ * Returns the widths at which pages look sharp when the whole book is shown: just the pixels of the
+ * screen where their texels lie on these, else more, in steps, so that a small change of
+ * size redraws nothing.
  */
-export function bitmapWidth(
+export function bitmapWidths(
   { width, height, quarterTurned, alone }: BookShape,
   stage: BookStage,
   viewing: CameraMotion,
-): number {
+): BitmapWidths {
   const [u, v] = quarterTurned
     ? [0.6 * width * (alone || 1), height]
     : [width * (alone || 1), 0.4 * height];
   // The pages of a turn are those of the rest after it.
-  const onScreen = viewing.lookAtRest(() => {
+  return viewing.lookAtRest(() => {
     const spine = stage.project(quarterTurned ? [u, 0, 0] : [0, v, 0]);
     const edge = stage.project([u, v, 0]);
-    return Math.hypot(edge.x - spine.x, edge.y - spine.y) * stage.restingRatio;
+    const onScreen = Math.hypot(edge.x - spine.x, edge.y - spine.y) * stage.restingRatio;
+    const board = Math.min(Math.ceil((onScreen * 1.2) / 256) * 256, widest);
+    const texels = stage.pageTexels;
+    return { board, page: texels > 0 && texels <= widest ? texels : board };
   });
-  return Math.min(Math.ceil((onScreen * 1.2) / 256) * 256, 2048);
 }
 
 /** A page that lies open, and the face that shows it. */
@@ -76,11 +90,13 @@ export class FaceTextures {
     this.#pictures = pictures;
   }
 
-  /** Requests the visible pages and those that may come next, `width` device pixels wide. */
-  want(width: number): void {
+  /** Requests the visible pages and those that may come next. */
+  want({ page, board }: BitmapWidths): void {
     const { flights, drawn, spread, destination } = this.#turning;
     const wanted = pagesWanted(this.#binding, spread, drawn, destination);
-    this.#pictures.want(wanted, width, flights.length > mostSharpFlights);
+    const widthOf = (number: number): number =>
+      spineOf(this.#binding, number) === "board" ? board : page;
+    this.#pictures.want(wanted, widthOf, flights.length > mostSharpFlights);
   }
 
   /** The page on each face. */
@@ -171,8 +187,13 @@ export class FaceTextures {
   }
 }
 
-/** Returns the canvas pixels across a whole leaf at the size it has at a point of a face. */
-export function acrossAt(stage: BookStage, face: Face, x: number, y: number): number {
+/**
+ * Returns the texels of a bitmap across a whole page that are seen on a face: a pixel of the screen
+ * each where they lie on these, else one of the canvas at the size that the page has at a point.
+ */
+export function texelsAt(stage: BookStage, face: Face, x: number, y: number): number {
+  const texels = isBoardFace(face) ? 0 : stage.pageTexels;
+  if (texels > 0) return texels;
   const [from, to] = [x - 0.01, x + 0.01].map((x) => stage.projectOn(face, x, y));
   return (Math.hypot(to.x - from.x, to.y - from.y) / 0.02) * stage.restingRatio;
 }
@@ -182,5 +203,5 @@ export function acrossAt(stage: BookStage, face: Face, x: number, y: number): nu
  * arrives, the page's place on its leaf is unknown.
  */
 export function isCoarse(stage: BookStage, { face, width }: OpenPage): boolean {
-  return width > 0 && acrossAt(stage, face, 0.5, 0.5) > width;
+  return width > 0 && texelsAt(stage, face, 0.5, 0.5) > width;
 }

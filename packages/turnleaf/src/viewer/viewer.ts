@@ -29,7 +29,7 @@ import {
 import { CameraMotion, ViewHistory } from "./camera_motion.ts";
 import { CrossFade } from "./cross_fade.ts";
 import type { Drags } from "./drag.ts";
-import { bitmapWidth } from "./face_textures.ts";
+import { type BitmapWidths, bitmapWidths } from "./face_textures.ts";
 import { FoldOut } from "./fold_out.ts";
 import { FrameQuality, firstFrameWait } from "./frame_timing.ts";
 import { LeafCommands } from "./leaf_commands.ts";
@@ -43,12 +43,6 @@ export type { DrawnPage, LiveBitmaps } from "../pages/page_bitmaps.ts";
 export type { Zoom } from "../stage/zoom.ts";
 export type { Backend } from "./backend.ts";
 export type { ViewerOptions } from "./viewer_options.ts";
-
-/**
- * Fraction of the width of its place that an open book takes, in a place as
- * high as its leaves need.
- */
-const fullness = 0.9;
 
 /** One book on one canvas. */
 export class Viewer {
@@ -124,7 +118,7 @@ export class Viewer {
     this.#sharpness = new Sharpness({ source, stage, book, pictures, arrived, failed });
     this.#foldOut = new FoldOut(this.#bitmaps, {
       unfolds: stage.unfolds,
-      width: () => this.#pictureWidth,
+      width: () => this.#bitmapWidths.page,
       bound: () => this.#bound,
       ready: () => this.#readyFoldOuts(),
       rayAt: (x, y) => stage.rayAt(x, y),
@@ -211,11 +205,10 @@ export class Viewer {
     return this.#bound.binding;
   }
 
-  /** Width over height of a place that two pages fill, with the headroom that their leaves need. */
+  /** Width over height of a place that two pages fill. */
   get placeRatio(): number {
     const { width, height, quarterTurned } = this.#bound.shape;
-    const pages = quarterTurned ? height / (2 * width) : (2 * width) / height;
-    return fullness * pages;
+    return quarterTurned ? height / (2 * width) : (2 * width) / height;
   }
 
   /** Width of that place in CSS pixels where a page is as large as its source says, whose unit counts as one. */
@@ -243,10 +236,10 @@ export class Viewer {
    * two pages, or of the one that stands alone, CSS pixels on the canvas.
    */
   get bounds(): { readonly from: Place; readonly to: Place } {
-    const { width, height, alone } = this.#bound.shape;
+    const { width, height, thickness, alone } = this.#bound.shape;
     const [left, right] = [alone === 1 ? 0 : -width, alone === -1 ? 0 : width];
     const corners = [left, right].flatMap((x) =>
-      [0, height].map((y) => this.#stage.projectOpen([x, y, 0])),
+      [0, height].map((y) => this.#stage.projectOpen([x, y, thickness / 2])),
     );
     const [xs, ys] = [corners.map(({ x }) => x), corners.map(({ y }) => y)];
     return {
@@ -346,7 +339,7 @@ export class Viewer {
     if (to !== from || this.turning.moving) {
       if (fades) {
         this.#setStill(false);
-        this.#stage.draw({ resting: true });
+        this.#stage.draw({ resting: true, steady: true });
         this.#crossFade.begin(from);
       }
       this.lay(to);
@@ -590,8 +583,9 @@ export class Viewer {
     this.#options.onMotion?.(posed, seconds, (turning && !still) || tearing);
     // Where the processor draws, a frame that is soon drawn again is not worth all its pixels.
     this.#isPlain = resting && this.#stage.isSoftware && !this.#bitmaps.settled;
+    const steady = !stepping && !this.#handled;
     if (!filmFrames?.isSkipped) {
-      this.#stage.draw({ resting: isFull && !this.#isPlain, pixels });
+      this.#stage.draw({ resting: isFull && !this.#isPlain, steady, pixels });
     }
     this.#bitmaps.paused = !resting;
     this.#crossFade.step(now, this.turning.spread);
@@ -701,14 +695,14 @@ export class Viewer {
   /** Updates the bitmap of every face, and requests the pages wanted next. Returns whether any is new. */
   #updateFaces(): boolean {
     const { faceTextures: picturing } = this.#bound;
-    if (this.#cssWidth > 0) picturing.want(this.#pictureWidth);
+    if (this.#cssWidth > 0) picturing.want(this.#bitmapWidths);
     const hasChanged = picturing.show(this.#foldOut.parts, this.#isStill);
     this.sheets.show();
     this.#sharpness.keep(picturing.pages);
     return hasChanged;
   }
 
-  get #pictureWidth(): number {
-    return bitmapWidth(this.#bound.shape, this.#stage, this.#camera);
+  get #bitmapWidths(): BitmapWidths {
+    return bitmapWidths(this.#bound.shape, this.#stage, this.#camera);
   }
 }

@@ -89,6 +89,8 @@ export const defaultBinding: BindingOptions = {
   cloth: "#6a2a26",
   shadows: 1,
   camera: "reader",
+  tilt: 0,
+  margin: 0.03,
   binding: "auto",
   layout: "auto",
   offset: 1,

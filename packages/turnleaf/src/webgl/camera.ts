@@ -2,18 +2,15 @@
  * Where the camera stands so that the book fills the canvas. Pure arithmetic,
  * no three.js.
  *
- * An upright leaf is seen above the head of the book, so the picture holds the
- * space in which leaves swing, whether one does or not: the book stays where it
- * is when a leaf is grabbed, and nothing of the leaf is cut off. The headroom
- * that takes depends on the eye alone: the steeper it looks and the longer its
- * lens, the less (docs/decisions/0016-the-book-stands-still.md).
+ * An open book fills its place but for a margin, and the camera is as far away as
+ * it must be for a leaf that stands upright to stay within that margin: the
+ * farther it is, the less larger what is nearer to it appears. So the book stays
+ * as large and where it is when a leaf is grabbed, and nothing of the leaf is cut off
+ * (docs/decisions/0016-the-book-stands-still.md).
  */
 
 import type { BookShape } from "../stage/book_pose.ts";
 import { type CanvasFraction, overheadAt, type Sight } from "../stage/zoom.ts";
-
-/** Vertical field of view, degrees. */
-export const fieldOfView = 12;
 
 /** The camera's place and its three axes in book space. */
 export interface View {
@@ -24,40 +21,44 @@ export interface View {
   back: [number, number, number];
   /** From the camera to the middle of the book, metres. */
   distance: number;
+  /** Half the height that the camera sees at a distance of 1. */
+  lens: number;
 }
 
-/** Margins between the book and the canvas, as fractions of the canvas. */
-export interface Margins {
-  sides: number;
-  top: number;
-  bottom: number;
+/** Points that are to be seen, and how far from the edges of the canvas. */
+export interface FittedPoints {
+  /** x, y, z of each. */
+  readonly points: readonly number[];
+  /** Fraction of the canvas that stays free at each edge. */
+  readonly margin: number;
 }
+
+type Axes = Pick<View, "right" | "up" | "back">;
 
 /** Place across the picture, along it, and distance from the origin: the result of a fit. */
 type Fit = [across: number, along: number, distance: number];
 
 /**
- * Degrees above the table from which an open book, one page of it, and a closed
- * book are seen, for pages half as high again as they are wide, or higher.
- * Wider leaves rise farther above the head and are seen from steeper above, so
- * that they do so by no larger fraction of the page's height.
+ * How far the camera leans from right above to a closed book in boards, and to
+ * the side of its spine, degrees: enough to see that it has a spine.
  */
-const openElevation = 78;
-const aloneElevation = 82;
-const closedElevation = 66;
-const usualHeight = 1.5;
-/** A closed book is seen from a little beside its spine, degrees. */
-const closedAzimuth = 9;
+const closedTilt = 12;
+const closedAzimuth = 6;
 
 const radians = Math.PI / 180;
 
-/** Half the height that the camera sees at a distance of 1. */
-export const halfSeen: number = Math.tan(0.5 * fieldOfView * radians);
+/**
+ * Half the height seen at a distance of 1: at most that of a field of view of 12
+ * degrees, as wider lenses make pages that lie at different heights differ in
+ * size; and at least a tenth of it, as the precision of depth has an end.
+ */
+export const widestLens: number = Math.tan(6 * radians);
+const longestLens = widestLens / 10;
 
-/** Around an open book, around one page of it, and around a closed one. */
-const openMargins: Margins = { sides: 0.035, top: 0.012, bottom: 0.05 };
-const aloneMargins: Margins = { sides: 0.012, top: 0.012, bottom: 0.03 };
-const closedMargins: Margins = { sides: 0.12, top: 0.1, bottom: 0.1 };
+/** Returns the vertical field of view of a lens, degrees. */
+export function fieldOfView(lens: number): number {
+  return (2 * Math.atan(lens)) / radians;
+}
 
 /** Width visible beyond the spine beside a page that stands alone, as a fraction of its width. */
 const sliver = 0.03;
@@ -69,6 +70,12 @@ const sliver = 0.03;
  * the edge of a wide leaf hangs that is led by its head, likewise.
  */
 const swing = { across: 0.97, up: 0.96, dip: 0.07 };
+
+/**
+ * How far a leaf that is led by its corner swings aslant beyond the head or foot of one that
+ * swings evenly, as a fraction of the height of the picture: a usual leaf, and one as wide as high.
+ */
+const aslant = { usual: 0.01, wide: 0.0225 };
 
 /** The properties of a pose that the camera depends on. */
 export interface Framing {
@@ -96,41 +103,77 @@ export function frameBook(
   rim: number,
   overhead = 0,
 ): View {
-  const { fromAbove } = shape;
+  const { alone, fromAbove, margin } = shape;
   const right = fromAbove ? 0 : ease(framing.closedRight);
   const left = fromAbove ? 0 : ease(framing.closedLeft);
-  const steep = fromAbove ? 1 : overhead;
   const closed = Math.min(1, right + left);
-  const { alone } = shape;
-  const opened = elevationOf(shape);
-  const elevationOfReader = opened + (closedElevation - opened) * closed;
-  const elevation = elevationOfReader + (90 - elevationOfReader) * steep;
-  const azimuth = closedAzimuth * (left - right) * (1 - steep);
-  const axes = axesOf(elevation * radians, azimuth * radians, shape.quarterTurned);
+  const tilt = fromAbove ? 0 : shape.tilt;
+  const leans = !fromAbove && shape.cover === "hard";
+  const leaning = (1 - overhead) * (tilt + (leans ? (closedTilt - tilt) * closed : 0));
+  const azimuth = (1 - overhead) * (leans ? closedAzimuth * (left - right) : 0);
+  const axes = axesOf((90 - leaning) * radians, azimuth * radians, shape.quarterTurned);
+  const lens = lensOf(shape, aspect, rim);
+  const fitted = (points: number[], swings: boolean, hasBoards: boolean): Fit => {
+    addEdges(points, shape, framing.flapEdge, 0);
+    const moving: number[] = [];
+    if (swings) addSwing(moving, shape, dipOf(shape));
+    if (hasBoards) addEdges(moving, shape, framing.boardEdges, rim);
+    const groups = [
+      { points, margin },
+      { points: moving, margin: 0 },
+    ];
+    return fitPoints(groups, axes, aspect, lens);
+  };
+  // Seen from right above, the lens is such that a leaf stays in the picture.
+  const swings = tilt * (1 - overhead) > 0;
   const open =
     alone === 0
-      ? fitPoints(openPoints(shape, framing, rim), axes, aspect, openMargins)
-      : fitPoints(alonePoints(shape, framing, alone), axes, aspect, aloneMargins);
+      ? fitted(openPoints(shape, framing, rim), swings, true)
+      : fitted(alonePoints(shape, alone), swings, false);
   const fit: Fit = [...open];
   for (const [fraction, sign] of [
     [right, 1],
     [left, -1],
   ]) {
     if (fraction <= 0) continue;
-    const shut = fitPoints(closedPoints(shape, framing, sign, rim), axes, aspect, closedMargins);
+    const shut = fitted(closedPoints(shape, sign, rim), false, true);
     for (let k = 0; k < 3; k++) fit[k] += (shut[k] - open[k]) * fraction;
   }
-  return viewOf(fit, axes);
+  return viewOf(fit, axes, lens);
 }
 
 /**
- * Returns the degrees above the table from which an open book, or a page of it
- * that stands alone, is seen.
+ * Returns the lens through which a leaf that swings stays in the picture of a book
+ * that fills it but for its margin, seen from right above: the widest there is.
  */
-function elevationOf({ width, height, alone }: BookShape): number {
-  const upright = alone === 0 ? openElevation : aloneElevation;
-  const wide = Math.min(height / width / usualHeight, 1);
-  return Math.atan(Math.tan(upright * radians) / wide) / radians;
+function lensOf(shape: BookShape, aspect: number, rim: number): number {
+  const { margin, alone } = shape;
+  const { right, up, back } = axesOf(90 * radians, 0, shape.quarterTurned);
+  const open = { closedRight: 0, closedLeft: 0, middle: 0, boardEdges: [], flapEdge: [] };
+  const lying = alone === 0 ? openPoints(shape, open, rim) : alonePoints(shape, alone);
+  const swinging: number[] = [];
+  addSwing(swinging, shape, 0);
+  const [x0, x1] = extentOf(lying, right);
+  const [y0, y1] = extentOf(lying, up);
+  const [, top] = extentOf(lying, back);
+  // Half the height that is seen at the height of the pages.
+  const seen = Math.max(y1 - y0, (x1 - x0) / aspect) / (2 - 4 * margin);
+  const hanging = aslant.usual + (aslant.wide - aslant.usual) * widenessOf(shape);
+  let lens = widestLens;
+  for (let k = 0; k < swinging.length; k += 3) {
+    const x = Math.abs(along(right, swinging, k) - (x0 + x1) / 2);
+    const y = Math.abs(along(up, swinging, k) - (y0 + y1) / 2) + 2 * hanging * seen;
+    // What is nearer by a height sees so much less of the plane for each unit of the lens.
+    const height = swinging[k + 2] - top;
+    if (height > 0) lens = Math.min(lens, (seen - Math.max(y, x / aspect)) / height);
+  }
+  return Math.max(lens, longestLens);
+}
+
+function extentOf(points: readonly number[], axis: readonly number[]): [number, number] {
+  const places = [];
+  for (let k = 0; k < points.length; k += 3) places.push(along(axis, points, k));
+  return [Math.min(...places), Math.max(...places)];
 }
 
 /** Returns the picture of the whole book that zoom `level` magnifies. */
@@ -142,15 +185,15 @@ export function sightOf(
   level: number,
 ): Sight {
   const view = frameBook(shape, framing, aspect, rim, overheadAt(level));
-  const { position, right, up, back } = view;
+  const { position, right, up, back, lens } = view;
   const plane = shape.thickness / 2;
   const seen = (x: number, y: number): CanvasFraction => {
     const away = [x - position[0], y - position[1], plane - position[2]];
-    const reach = -2 * halfSeen * along(back, away, 0);
+    const reach = -2 * lens * along(back, away, 0);
     return [0.5 + along(right, away, 0) / (reach * aspect), 0.5 - along(up, away, 0) / reach];
   };
   const point = ([x, y]: CanvasFraction): CanvasFraction => {
-    const [across, rise] = [(2 * x - 1) * halfSeen * aspect, (1 - 2 * y) * halfSeen];
+    const [across, rise] = [(2 * x - 1) * lens * aspect, (1 - 2 * y) * lens];
     const way = (k: number): number => across * right[k] + rise * up[k] - back[k];
     const t = (plane - position[2]) / way(2);
     return [position[0] + t * way(0), position[1] + t * way(1)];
@@ -203,112 +246,137 @@ export function axesOf(
 
 /**
  * Returns the nearest camera with these axes whose picture holds every point
- * within the margins. Each bound is linear in the camera's position, so the
+ * within its margin. Each bound is linear in the camera's position, so the
  * result is exact.
  *
- * @param points x, y, z of each
+ * @param lens half the height seen at a distance of 1
  */
 export function fitPoints(
-  points: readonly number[],
-  axes: Pick<View, "right" | "up" | "back">,
+  groups: readonly FittedPoints[],
+  axes: Axes,
   aspect: number,
-  margins: Margins,
+  lens: number,
 ): Fit {
-  const across = halfSeen * aspect * (1 - 2 * margins.sides);
-  const above = halfSeen * (1 - 2 * margins.top);
-  const below = halfSeen * (1 - 2 * margins.bottom);
-  // A camera at distance d sees a point within the bound `slope` where
-  // |place - centre| <= slope * (d - height), height being along `back`.
-  const bounds = [-Infinity, -Infinity, -Infinity, -Infinity];
-  for (let k = 0; k < points.length; k += 3) {
-    const x = along(axes.right, points, k);
-    const y = along(axes.up, points, k);
-    const height = along(axes.back, points, k);
-    bounds[0] = Math.max(bounds[0], x + across * height);
-    bounds[1] = Math.max(bounds[1], -x + across * height);
-    bounds[2] = Math.max(bounds[2], y + above * height);
-    bounds[3] = Math.max(bounds[3], -y + below * height);
-  }
-  const distance = Math.max(
-    (bounds[0] + bounds[1]) / (2 * across),
-    (bounds[2] + bounds[3]) / (above + below),
-  );
-  return [
-    (bounds[0] - bounds[1]) / 2,
-    // Spare space above and below is divided as the margins are.
-    (bounds[2] - above * distance + (below * distance - bounds[3])) / 2,
-    distance,
-  ];
+  const across = boundsOf(groups, axes.right, axes.back, lens * aspect);
+  const above = boundsOf(groups, axes.up, axes.back, lens);
+  const distance = Math.max(nearest(across), nearest(above));
+  return [middleAt(across, distance), middleAt(above, distance), distance];
 }
 
-function viewOf(fit: Fit, axes: Pick<View, "right" | "up" | "back">): View {
+/**
+ * Bounds of a camera at distance d whose picture holds points along an axis: its
+ * middle is from `low - slope * d` to `slope * d + high`.
+ */
+interface Bounds {
+  readonly slope: number;
+  readonly low: number;
+  readonly high: number;
+}
+
+/** Returns the bounds of each group along an axis, `half` of which is seen at a distance of 1. */
+function boundsOf(
+  groups: readonly FittedPoints[],
+  axis: readonly number[],
+  back: readonly number[],
+  half: number,
+): Bounds[] {
+  return groups.map(({ points, margin }) => {
+    const slope = half * (1 - 2 * margin);
+    let [low, high] = [-Infinity, Infinity];
+    for (let k = 0; k < points.length; k += 3) {
+      const place = along(axis, points, k);
+      const height = slope * along(back, points, k);
+      low = Math.max(low, place + height);
+      high = Math.min(high, place - height);
+    }
+    return { slope, low, high };
+  });
+}
+
+/** Returns the distance from which on there is a middle within all bounds. */
+function nearest(bounds: readonly Bounds[]): number {
+  const apart = bounds.flatMap(({ slope, low }) =>
+    bounds.map((other) => (low - other.high) / (slope + other.slope)),
+  );
+  return Math.max(...apart);
+}
+
+/** Returns the middle between the bounds at a distance. */
+function middleAt(bounds: readonly Bounds[], distance: number): number {
+  const low = Math.max(...bounds.map(({ slope, low }) => low - slope * distance));
+  const high = Math.min(...bounds.map(({ slope, high }) => slope * distance + high));
+  return (low + high) / 2;
+}
+
+function viewOf(fit: Fit, axes: Axes, lens: number): View {
   const place = (k: number): number =>
     axes.right[k] * fit[0] + axes.up[k] * fit[1] + axes.back[k] * fit[2];
-  return { position: [place(0), place(1), place(2)], ...axes, distance: fit[2] };
+  return { position: [place(0), place(1), place(2)], ...axes, distance: fit[2], lens };
 }
 
-/** Adds the corners of the open book, and where a leaf swings. */
-function openPoints(shape: BookShape, framing: Framing, rim: number): number[] {
-  const { width, height, thickness } = shape;
+/** Returns the corners of the open book. */
+function openPoints(
+  { width, height, thickness }: BookShape,
+  framing: Framing,
+  rim: number,
+): number[] {
   const reach = width + rim + thickness / 2;
   const points: number[] = [];
   for (const x of [framing.middle - reach, framing.middle + reach]) {
     for (const y of [-rim, height + rim]) points.push(x, y, 0, x, y, thickness / 2);
   }
-  addSwing(points, shape, () => true);
-  addBoards(points, shape, framing, rim);
   return points;
+}
+
+/** Returns the corners of one page and of its board; a sliver beyond its spine is in the margin. */
+function alonePoints({ width, height, thickness, rim }: BookShape, sign: number): number[] {
+  const points: number[] = [];
+  for (const x of [0, sign * (width + rim)]) {
+    for (const y of [-rim, height + rim]) points.push(x, y, 0, x, y, thickness);
+  }
+  return points;
+}
+
+/** Returns how far beyond the foot a leaf hangs that is led by its head, metres: nothing for usual ones. */
+function dipOf(shape: BookShape): number {
+  return swing.dip * shape.width * widenessOf(shape);
+}
+
+/** Returns 0 for usual leaves, to 1 for those that are as wide as high, or wider. */
+function widenessOf({ width, height }: BookShape): number {
+  return Math.min(Math.max((width / height - 0.7) / 0.3, 0), 1);
 }
 
 /**
- * Adds the corners of one page and a sliver beyond the spine, and where its
- * leaf swings until it is upright.
+ * Adds where the outer corners of a leaf swing: over a page that stands alone, until they are
+ * upright.
+ *
+ * @param dip how far beyond the foot they hang, metres
  */
-function alonePoints(shape: BookShape, framing: Framing, sign: number): number[] {
-  const { width, height, thickness } = shape;
-  const points: number[] = [];
-  // Pages rise out of a thick book's gutter first, and reach less far.
-  const reach = width - 0.35 * thickness;
-  for (const x of [-sliver * sign * width, sign * reach]) {
-    for (const y of [0, height]) points.push(x, y, 0, x, y, thickness);
-  }
-  addSwing(points, shape, (x) => x * sign > 0 && Math.abs(x) < reach);
-  addEdges(points, shape, framing.flapEdge, 0);
-  return points;
-}
-
-/** Adds where the outer corners of a leaf swing. */
 function addSwing(
   points: number[],
-  { width, height }: BookShape,
-  isSeen: (x: number) => boolean,
+  { width, height, thickness, alone }: BookShape,
+  dip: number,
 ): void {
-  // Leaves no wider than typical ones stay within the margin.
-  const wide = Math.min(Math.max((width / height - 0.7) / 0.3, 0), 1);
-  const foot = -swing.dip * wide * width;
+  // Pages rise out of a thick book's gutter first, and reach less far.
+  const reach = alone === 0 ? Number.POSITIVE_INFINITY : width - 0.35 * thickness;
   for (let k = 1; k < 12; k++) {
     const angle = (k * Math.PI) / 12;
     const x = swing.across * width * Math.cos(angle);
     const z = swing.up * width * Math.sin(angle);
-    if (!isSeen(x)) continue;
-    points.push(x, height, z, x, foot, z);
+    if (x * alone < 0 || Math.abs(x) > reach) continue;
+    points.push(x, height, z, x, -dip, z);
   }
 }
 
-function closedPoints(shape: BookShape, framing: Framing, sign: number, rim: number): number[] {
+function closedPoints(shape: BookShape, sign: number, rim: number): number[] {
   const points: number[] = [];
   for (const x of [-rim, shape.width + rim]) {
     for (const y of [-rim, shape.height + rim]) {
       for (const z of [0, shape.thickness + rim]) points.push(sign * x, y, z);
     }
   }
-  addBoards(points, shape, framing, rim);
   return points;
-}
-
-function addBoards(points: number[], shape: BookShape, framing: Framing, rim: number): void {
-  addEdges(points, shape, framing.boardEdges, rim);
-  addEdges(points, shape, framing.flapEdge, 0);
 }
 
 /** Adds the ends of edges along the spine, given by their x and z. */

@@ -6,7 +6,7 @@ import { columnPlace, type Ray, type Surface } from "../engine/shapes.ts";
 import type { PagePicture } from "../sources/page_source.ts";
 import type { BookShape } from "../stage/book_pose.ts";
 import type { LeafSide, PageFace } from "../stage/book_stage.ts";
-import { axesOf, fieldOfView, fitPoints, halfSeen } from "./camera.ts";
+import { axesOf, fieldOfView, fitPoints, widestLens } from "./camera.ts";
 import { restingCase } from "./case_shape.ts";
 import { ContextWatch, openContext } from "./context.ts";
 import { cutOff, straightened } from "./creased_vertices.ts";
@@ -24,7 +24,8 @@ import { PictureTextures } from "./textures.ts";
 /** Degrees above the table: lower than for a book, so that a leaf's bend is visible. */
 const elevation = 50;
 
-const margins = { sides: 0.04, top: 0.04, bottom: 0.06 };
+/** Fraction of the canvas that stays free at each edge. */
+const margin = 0.05;
 
 /** Depth of the pages under the resting leaf, metres: less than is visible. */
 const gap = 0.0002;
@@ -45,7 +46,7 @@ export class LeafScene {
   readonly #shape: BookShape;
   readonly #renderer: WebGLRenderer;
   readonly #context: ContextWatch;
-  readonly #camera = new PerspectiveCamera(fieldOfView, 1, 0.05, 10);
+  readonly #camera = new PerspectiveCamera(fieldOfView(widestLens), 1, 0.05, 10);
   readonly #textures: PictureTextures;
   readonly #grains: BookGrains;
   readonly #materials: BookMaterials;
@@ -87,6 +88,8 @@ export class LeafScene {
       cloth: "#6a2a26",
       shadows: 1,
       fromAbove: false,
+      tilt: 0,
+      margin: 0.03,
       kind: "typeset",
     };
     this.#textures = new PictureTextures(this.#renderer);
@@ -116,16 +119,16 @@ export class LeafScene {
     const camera = this.#camera;
     const { right, up, back } = axesOf((elevation * Math.PI) / 180, 0);
     const [across, along, distance] = fitPoints(
-      points,
+      [{ points, margin }],
       { right, up, back },
       width / height,
-      margins,
+      widestLens,
     );
     const place = [0, 1, 2].map((k) => across * right[k] + along * up[k] + distance * back[k]);
     camera.matrix.fromArray([...right, 0, ...up, 0, ...back, 0, ...place, 1]);
     camera.matrixWorldNeedsUpdate = true;
     camera.updateMatrixWorld(true);
-    this.#materials.pixel.value = (2 * halfSeen * distance) / height;
+    this.#materials.pixel.value = (2 * widestLens * distance) / height;
     camera.aspect = width / height;
     camera.near = Math.max(0.02, distance - 2 * Math.max(w, h));
     camera.far = distance + 4 * Math.max(w, h);

@@ -22,18 +22,32 @@ import type {
 } from "../stage/book_stage.ts";
 import { overheadAt, type Zoom, ZoomState } from "../stage/zoom.ts";
 import { BeyondSpine } from "./beyond_spine.ts";
-import { type Framing, fieldOfView, frameBook, halfSeen, sightOf } from "./camera.ts";
+import { type Framing, fieldOfView, frameBook, sightOf, type View, widestLens } from "./camera.ts";
 import { compiledAhead } from "./compiled_ahead.ts";
 import { ContextWatch, openContext } from "./context.ts";
 import { DrawnBook } from "./drawn_book.ts";
 import { dropFromCard } from "./drop_from_gpu.ts";
 import { BookGrains } from "./grains.ts";
+import { layOnGrid } from "./ink.ts";
 import { BookMaterials } from "./materials.ts";
+import { layPrint, type PrintGrid, placeOfPrint } from "./print_grid.ts";
 import { drawsInSoftware } from "./software_gl.ts";
 import { PictureTextures } from "./textures.ts";
 
 /** Maximum of pixels of a frame at rest. */
 const mostPixels = 16e6;
+
+/** An open book that lies still. */
+const openFraming: Framing = {
+  closedRight: 0,
+  closedLeft: 0,
+  middle: 0,
+  boardEdges: [],
+  flapEdge: [],
+};
+
+/** Sides of the open book. */
+const sides = ["left", "right"] as const;
 
 /** A face of the book, or a side of a leaf in flight or of a loose sheet. */
 type BitmapTarget =
@@ -73,6 +87,10 @@ export class WebGLStage implements BookStage {
   #ratio = 1;
   /** Of the canvas as it is seen, by transformations around it. */
   #scale = 1;
+  /** Pixels of the screen across an open page; 0 if it is seen aslant. */
+  #texels = 0;
+  /** The print of the open pages, as it was drawn last: on the pixels of the screen, or null. */
+  readonly #grids: Record<PageFace, PrintGrid | null> = { left: null, right: null };
   readonly #zooming = new ZoomState((level) =>
     sightOf(this.#shape, this.#book.framing, this.#aspect, this.#shape.rim, level),
   );
@@ -90,7 +108,7 @@ export class WebGLStage implements BookStage {
     this.#materials = new BookMaterials(shape, this.#pictures.paper, this.#grains);
     this.#book = new DrawnBook(shape, this.#materials);
     this.#scene.add(this.#book.group, this.#beyond.mesh);
-    this.#camera = new PerspectiveCamera(fieldOfView, 1, 0.05, 10);
+    this.#camera = new PerspectiveCamera(fieldOfView(widestLens), 1, 0.05, 10);
     this.#camera.matrixAutoUpdate = false;
     this.#context = new ContextWatch(canvas, {
       lost: () => {
@@ -106,6 +124,7 @@ export class WebGLStage implements BookStage {
     this.#scene.remove(this.#book.group);
     this.#replaced.push(this.#book, this.#materials);
     this.#faces.clear();
+    for (const side of sides) this.#grids[side] = null;
     this.#shape = shape;
     this.#materials = new BookMaterials(shape, this.#pictures.paper, this.#grains);
     this.#book = new DrawnBook(shape, this.#materials);
@@ -172,12 +191,39 @@ export class WebGLStage implements BookStage {
   }
 
   get restingRatio(): number {
-    const ratio = Math.max((this.isSoftware ? 1.5 : 2) * this.#scale, this.#ratio);
+    return this.#ratio * this.#restingDots;
+  }
+
+  /**
+   * Pixels of the canvas across one of the screen at rest: as many as make edges smooth, and a whole
+   * number, so that the mean of those of a texel is that texel.
+   */
+  get #restingDots(): number {
+    const [width, height] = [this.#width * this.#ratio, this.#height * this.#ratio];
     // The canvas is no larger than the GPU supports.
     const most = this.#renderer.capabilities.maxTextureSize;
-    const longest = Math.max(this.#width, this.#height);
-    const fit = Math.min(most / longest, Math.sqrt(mostPixels / (this.#width * this.#height)));
-    return Math.max(Math.min(this.#ratio, fit), Math.min(ratio, fit));
+    const fit = Math.min(most / Math.max(width, height), Math.sqrt(mostPixels / (width * height)));
+    const dots = Math.ceil(((this.isSoftware ? 1.5 : 2) * this.#scale) / this.#ratio);
+    return fit < 1 ? fit : Math.min(dots, Math.floor(fit));
+  }
+
+  get pageTexels(): number {
+    const { level } = this.#zooming.zoom;
+    const open = this.#frame(openFraming, level);
+    return this.#texelsOf(open, level);
+  }
+
+  /** Returns the pixels of the screen across a page in a view of the book; 0 if it is seen aslant. */
+  #texelsOf({ back, position, lens }: View, level: number): number {
+    const away = position[2] - this.#shape.thickness / 2;
+    const seen = (2 * lens * away) / (this.#height * this.#ratio * level);
+    return back[2] === 1 ? Math.round(this.#paperSize[0] / seen) : 0;
+  }
+
+  /** Width and height of a page as it is read, metres. */
+  get #paperSize(): readonly [width: number, height: number] {
+    const { width, height, quarterTurned } = this.#shape;
+    return quarterTurned ? [height, width] : [width, height];
   }
 
   refresh(canvas: HTMLCanvasElement): void {
@@ -196,12 +242,18 @@ export class WebGLStage implements BookStage {
   }
 
   draw(options?: DrawOptions): void {
-    const most = this.restingRatio;
-    const ratio = options?.resting ? most : Math.min(this.#ratio * (options?.pixels ?? 1), most);
-    const [width, height] = [Math.floor(this.#width * ratio), Math.floor(this.#height * ratio)];
+    const most = this.#restingDots;
+    const dots = options?.resting ? most : Math.min(options?.pixels ?? 1, most);
+    const ratio = this.#ratio * dots;
+    const [width, height] = [Math.round(this.#width * ratio), Math.round(this.#height * ratio)];
     if (this.#canvas.width !== width || this.#canvas.height !== height) {
       // Clears the canvas; it is drawn again below before it can be seen.
-      this.#renderer.setDrawingBufferSize(this.#width, this.#height, ratio);
+      this.#renderer.setDrawingBufferSize(width, height, 1);
+    }
+    for (const side of sides) {
+      this.#grids[side] = options?.steady ? this.#gridOf(side) : null;
+      const { uniforms } = this.#materials.pages[side];
+      layOnGrid(uniforms, this.#grids[side], height, dots);
     }
     this.#book.light();
     this.#renderer.render(this.#scene, this.#camera);
@@ -234,8 +286,7 @@ export class WebGLStage implements BookStage {
     const { framing } = this.#book;
     if (framing.closedRight === 0 && framing.closedLeft === 0) return this.project(point);
     const camera = this.#camera.clone();
-    const open = { closedRight: 0, closedLeft: 0, middle: 0, boardEdges: [], flapEdge: [] };
-    this.#place(camera, open, this.#zooming.zoom);
+    this.#place(camera, openFraming, this.#zooming.zoom);
     return this.#seenBy(camera, point);
   }
 
@@ -245,6 +296,11 @@ export class WebGLStage implements BookStage {
   }
 
   projectOn(face: Face, x: number, y: number): Place {
+    const grid = face === "left" || face === "right" ? this.#grids[face] : null;
+    if (grid) {
+      const [right, down] = placeOfPrint(grid, [x * grid.size[0], y * grid.size[1]]);
+      return { x: right / this.#ratio, y: down / this.#ratio };
+    }
     return this.project(this.#book.placeOn(face, x, y));
   }
 
@@ -255,7 +311,32 @@ export class WebGLStage implements BookStage {
       ...projectionMatrix.elements,
       this.#width,
       this.#height,
+      ...sides.flatMap((side) => this.#grids[side]?.corner ?? []),
     ].join();
+  }
+
+  /** Returns the print of a page on the pixels of the screen; null if it is seen aslant. */
+  #gridOf(side: PageFace): PrintGrid | null {
+    const { closedRight, closedLeft } = this.#book.framing;
+    const isShut = !this.#shape.fromAbove && closedRight + closedLeft > 0;
+    if (this.#texels === 0 || isShut) return null;
+    const { quarterTurned, height, width, thickness } = this.#shape;
+    const texels = this.#texels;
+    const onScreen = ({ x, y }: Place) => [x * this.#ratio, y * this.#ratio] as const;
+    const [u, v] = [side === "left" ? 1 : 0, 0.5];
+    const at = (x: number, y: number) => onScreen(this.project(this.#book.placeOn(side, x, y)));
+    const middle = at(0.5, 0.5);
+    // Along the spine both pages lie as if they were equally high.
+    const level = onScreen(this.project([width / 2, height / 2, thickness / 2]));
+    const sign = side === "left" ? -1 : 1;
+    const [paperWidth, paperHeight] = this.#paperSize;
+    return layPrint(
+      texels,
+      (texels * paperHeight) / paperWidth,
+      quarterTurned ? [level[0], middle[1]] : [middle[0], level[1]],
+      quarterTurned ? at(v, u) : at(u, v),
+      quarterTurned ? [0, sign] : [sign, 0],
+    );
   }
 
   destroy(keepCanvas = false): boolean {
@@ -290,17 +371,22 @@ export class WebGLStage implements BookStage {
 
   #aim(zoom: Zoom = this.#zooming.zoom): void {
     const { framing } = this.#book;
-    const distance = this.#place(this.#camera, framing, zoom);
-    this.#materials.pixel.value = (2 * halfSeen * distance) / (zoom.level * this.#height);
+    const view = this.#place(this.#camera, framing, zoom);
+    this.#texels = this.#texelsOf(view, zoom.level);
+    this.#materials.pixel.value = (2 * view.lens * view.distance) / (zoom.level * this.#height);
     const { closedRight, closedLeft } = framing;
     this.#beyond.aim(this.#shape, Math.min(1, closedRight + closedLeft), this.#camera);
   }
 
-  /** Places a camera that frames the book. Returns its distance from it, metres. */
-  #place(camera: PerspectiveCamera, framing: Framing, zoom: Zoom): number {
+  #frame(framing: Framing, level: number): View {
+    return frameBook(this.#shape, framing, this.#aspect, this.#shape.rim, overheadAt(level));
+  }
+
+  /** Places a camera that frames the book. Returns its view of it. */
+  #place(camera: PerspectiveCamera, framing: Framing, zoom: Zoom): View {
     const { level } = zoom;
-    const [aspect, overhead] = [this.#aspect, overheadAt(level)];
-    const view = frameBook(this.#shape, framing, aspect, this.#shape.rim, overhead);
+    const aspect = this.#aspect;
+    const view = this.#frame(framing, level);
     camera.matrix.makeBasis(
       new Vector3(...view.right),
       new Vector3(...view.up),
@@ -310,12 +396,13 @@ export class WebGLStage implements BookStage {
     camera.matrixWorldNeedsUpdate = true;
     camera.updateMatrixWorld(true);
     const size = 2 * Math.max(this.#shape.width, this.#shape.height);
+    camera.fov = fieldOfView(view.lens);
     camera.near = Math.max(0.02, view.distance - size);
     camera.far = view.distance + 2 * size;
     const [x, y] = this.#zooming.show(zoom);
     const [left, top] = [(x - 0.5 / level) * aspect, y - 0.5 / level];
     camera.setViewOffset(aspect, 1, left, top, aspect / level, 1 / level);
-    return view.distance;
+    return view;
   }
 }
 

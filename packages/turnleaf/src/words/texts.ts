@@ -70,6 +70,7 @@ export interface ControlTexts {
   readonly readAloud: string;
   readonly stopReadingAloud: string;
   readonly sound: string;
+  readonly tilt: string;
   /** Opens the fold-out that lies open, and shuts it. */
   readonly unfold: string;
   readonly foldIn: string;

@@ -45,6 +45,7 @@ export const texts: Texts = {
   readAloud: "القراءة بصوت عالٍ",
   stopReadingAloud: "إيقاف القراءة بصوت عالٍ",
   sound: "صوت الورق",
+  tilt: "منظر مائل",
   unfold: "فتح طيّة هذه الصفحة",
   foldIn: "طيّ هذه الصفحة",
   tearOut: "نزع هذه الصفحة",

@@ -46,6 +46,7 @@ export const texts: Texts = {
   readAloud: "Vorlesen",
   stopReadingAloud: "Vorlesen beenden",
   sound: "Papiergeräusche",
+  tilt: "Schräg gesehen",
   unfold: "Diese Seite ausklappen",
   foldIn: "Diese Seite einklappen",
   tearOut: "Diese Seite herausreißen",

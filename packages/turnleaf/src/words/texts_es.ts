@@ -46,6 +46,7 @@ export const texts: Texts = {
   readAloud: "Leer en voz alta",
   stopReadingAloud: "Dejar de leer en voz alta",
   sound: "Sonido del papel",
+  tilt: "Vista inclinada",
   unfold: "Desplegar esta página",
   foldIn: "Plegar esta página",
   tearOut: "Arrancar esta página",

@@ -46,6 +46,7 @@ export const texts: Texts = {
   readAloud: "Lire à voix haute",
   stopReadingAloud: "Arrêter la lecture à voix haute",
   sound: "Bruit du papier",
+  tilt: "Vue inclinée",
   unfold: "Déplier cette page",
   foldIn: "Replier cette page",
   tearOut: "Arracher cette page",

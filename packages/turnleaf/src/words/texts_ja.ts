@@ -45,6 +45,7 @@ export const texts: Texts = {
   readAloud: "読み上げ",
   stopReadingAloud: "読み上げを停止",
   sound: "紙の音",
+  tilt: "斜めから見る",
   unfold: "このページを広げる",
   foldIn: "このページを折りたたむ",
   tearOut: "このページを破り取る",

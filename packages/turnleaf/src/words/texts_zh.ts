@@ -45,6 +45,7 @@ export const texts: Texts = {
   readAloud: "朗读",
   stopReadingAloud: "停止朗读",
   sound: "翻页声",
+  tilt: "倾斜视角",
   unfold: "展开折页",
   foldIn: "收起折页",
   tearOut: "撕下此页",

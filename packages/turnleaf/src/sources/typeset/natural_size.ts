@@ -3,7 +3,7 @@
 import { isPageSize } from "../limits.ts";
 import type { PageSize } from "../page_source.ts";
 import type { FlowContent } from "./flow_book.ts";
-import { applyInlineStyles, loadedIn, openFrame } from "./frame.ts";
+import { applyInlineStyles, drawingOf, loadedIn, openFrame } from "./frame.ts";
 import { baseStyle } from "./typography.ts";
 
 /** What has a size of its own. */
@@ -34,7 +34,8 @@ export async function naturalSize(content: FlowContent, usual: PageSize): Promis
     const body = html.querySelector("body") ?? html;
     const all = [body, ...body.querySelectorAll("*")].slice(0, mostMeasured);
     const boxes = all.filter((element) => {
-      if (element.parentElement?.closest("svg")) return false;
+      // What is a part of a drawing is measured with it.
+      if (element !== drawingOf(element, html)) return false;
       return element === body || element.matches(replaced) || isPlaced(element, view);
     });
     const widths = boxes.map((element) => element.getBoundingClientRect().width);
