@@ -105,8 +105,9 @@ export class Keys {
     const view = nextView(viewer, by, clientWidth, clientHeight);
     if (view) this.#show(view);
     else {
-      const [first] = pagesAt(viewer.binding, viewer.turning.spread);
-      const x = first === undefined ? undefined : viewer.project(first, 0, 0)?.x;
+      const open = pagesAt(viewer.binding, viewer.turning.spread);
+      const here = by === 1 ? open.at(-1) : open[0];
+      const x = here === undefined ? undefined : viewer.project(here, 0, 0)?.x;
       void turn(by).then((isTurned) => {
         const pages = pagesAt(viewer.binding, viewer.turning.spread);
         const page = by === 1 ? pages[0] : pages.at(-1);

@@ -179,7 +179,7 @@ export async function openImages(book: ImageBook): Promise<PageSource> {
 }
 
 const readable =
-  "PDF, EPUB, MOBI, AZW3, FB2, comics (CBZ, CBR, CB7, CBT and other archives of images), Markdown, text, images (PNG, JPEG, WebP, AVIF, GIF, BMP, SVG, TIFF, JPEG 2000), IIIF manifests and JSON manifests of images can be read.";
+  "PDF, EPUB, MOBI, AZW3, FB2, comics (CBZ, CBR, CB7, CBT), Markdown, text, images (PNG, JPEG, WebP, AVIF, GIF, BMP, SVG, TIFF, JPEG 2000), IIIF and JSON manifests can be read.";
 
 const reasons: Readonly<Partial<Record<Kind, string>>> = {
   html: "is a web page, not a book",

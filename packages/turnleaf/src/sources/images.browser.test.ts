@@ -382,7 +382,7 @@ describe("unreadable input fails in one sentence", () => {
       /is an archive with no book in it; open another/,
     );
     expect(await fails(() => new Response("Rar!\x1a\x07\0"))).toMatch(
-      /^a book\.json is damaged: it is no ZIP file/,
+      /^a book\.json is damaged \(/,
     );
     expect(await fails(() => new Response("\x00\x01"))).toMatch(/is of an unknown format; PDF,/);
   });
