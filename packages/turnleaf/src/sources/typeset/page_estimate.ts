@@ -26,7 +26,7 @@ const blocks = new Set(
   ),
 );
 
-const tag = /<(\/?)([\w:-]{1,40})[^<>]*>/g;
+const tag = /<(\/?)([\w:-]{1,40})(?![\w:-])[^<>]*>/g;
 const entity = /&#?\w{1,8};/g;
 /** Letters that are as wide as two: of Chinese, Japanese and Korean. */
 const wide = /[\u1100-\u11ff\u2e80-\u9fff\uac00-\ud7af\uf900-\ufaff\uff00-\uff60]/g;
