@@ -41,6 +41,7 @@ test("each chapter is scrolled by itself; the open page follows, and a command s
   const chapters = [prose(20), prose(20)];
   const element = await opened({ chapters, metadata: flow("scrolled-doc") }, { controls: "" });
   const roll = rollOf(element);
+  await eventually(() => element.estimated).toBe(false);
   const count = sheetsOf(element).length;
   expect(count).toBe(element.pageCount / 2);
   expect(roll.scrollHeight).toBeGreaterThan(3 * roll.clientHeight);

@@ -181,11 +181,17 @@ test.each(transformations)("%s", async (_, around, own) => {
   const expected = await upright;
   expect(expected).toMatchObject({ selected: "Call me", typed: "Ahab", clicked: 4, dragged: 4 });
   expect(expected.point).toEqual([33, 77]);
-  const { wheeled, ...seen } = await used(new PlacedBook(around, own));
-  expect({ ...seen, wheeled: expected.wheeled }).toEqual(expected);
-  // A wheel says where it is in whole pixels of the window.
-  for (const [k, place] of (wheeled as number[]).entries()) {
-    expect(Math.abs(place - (expected.wheeled as number[])[k])).toBeLessThan(1);
+  const { wheeled, pinched, ...seen } = await used(new PlacedBook(around, own));
+  const { wheeled: wheeledUpright, pinched: pinchedUpright, ...others } = expected;
+  expect(seen).toEqual(others);
+  // A wheel says where it is in whole pixels of the window, and print lies on those of the screen.
+  for (const [places, asUpright] of [
+    [wheeled, wheeledUpright],
+    [pinched, pinchedUpright],
+  ] as number[][][]) {
+    for (const [k, place] of places.entries()) {
+      expect(Math.abs(place - asUpright[k])).toBeLessThan(1);
+    }
   }
 });
 
