@@ -41,9 +41,10 @@ test("each chapter is scrolled by itself; the open page follows, and a command s
   const chapters = [prose(20), prose(20)];
   const element = await opened({ chapters, metadata: flow("scrolled-doc") }, { controls: "" });
   const roll = rollOf(element);
-  await eventually(() => element.estimated).toBe(false);
+
   const count = sheetsOf(element).length;
-  expect(count).toBe(element.pageCount / 2);
+  // The chapter that is not in sight is only estimated.
+  expect(Math.abs(count - element.pageCount / 2)).toBeLessThan(1);
   expect(roll.scrollHeight).toBeGreaterThan(3 * roll.clientHeight);
   // The pages hang together, and are as wide as the place of their text.
   const first = sheetsOf(element)[0] as HTMLElement;

@@ -190,7 +190,8 @@ test.each(transformations)("%s", async (_, around, own) => {
     [pinched, pinchedUpright],
   ] as number[][][]) {
     for (const [k, place] of places.entries()) {
-      expect(Math.abs(place - asUpright[k])).toBeLessThan(1);
+      // A pixel of the screen is up to two of the element where that is seen smaller.
+      expect(Math.abs(place - asUpright[k])).toBeLessThan(2);
     }
   }
 });
