@@ -10,7 +10,7 @@ import { markdown } from "../../scripts/docs_tables.mjs";
 
 const root = join(import.meta.dirname, "../..");
 
-/** Maximum of faults that are told of a book. */
+/** Maximum of faults that are listed of a book. */
 const toldFaults = 3;
 
 /** Returns a text as it stands in a cell of a table. */

@@ -19,29 +19,29 @@ export interface TemporaryNote {
   readonly isRemoved?: boolean;
 }
 
-let tell: (note: TemporaryNote) => void = () => {};
+let report: (note: TemporaryNote) => void = () => {};
 
 /** Calls `listener` for each folder of this thread from now on. */
 export function watchTemporary(listener: (note: TemporaryNote) => void): void {
-  tell = listener;
+  report = listener;
 }
 
 /** Makes a folder for temporary files, whose name begins with `name`. Rejects if there can be none. */
 export async function makeTemporary(name: string): Promise<string> {
   const folder = await mkdtemp(join(tmpdir(), `turnleaf-${name}-`));
-  tell({ folder });
+  report({ folder });
   return folder;
 }
 
 /** Notes which program writes into a temporary folder. */
 export function noteProgram(folder: string, program: number | undefined): void {
-  tell({ folder, program });
+  report({ folder, program });
 }
 
 /** Removes a temporary folder. Rejects if it cannot be removed. */
 export async function removeTemporary(folder: string): Promise<void> {
   await rm(folder, attempts);
-  tell({ folder, isRemoved: true });
+  report({ folder, isRemoved: true });
 }
 
 /** The temporary folders of a thread, held by another, for the time when the first no longer runs. */

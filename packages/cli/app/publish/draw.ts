@@ -7,7 +7,12 @@ import {
   type PageSource,
   type TextRun,
 } from "turnleaf";
-import type { BookLack, DrawnPage, DrawOptions, OpenedBook } from "../../src/publish/drawn_page.ts";
+import type {
+  DrawnPage,
+  DrawOptions,
+  OpenedBook,
+  UnshownPart,
+} from "../../src/publish/drawn_page.ts";
 import { halved, halvings, type SiteLink, type SiteRun } from "../../src/publish/site_book.ts";
 
 /** The command's configuration. */
@@ -42,7 +47,7 @@ class Drawing {
   }
 
   /** Returns what the book lists and cannot be shown, besides pages: these say so themselves. */
-  warnings(): BookLack[] {
+  warnings(): UnshownPart[] {
     return (this.#source?.warnings ?? [])
       .filter(({ code }) => code !== "page" && code !== "chapter")
       .map(({ message, page }) => ({ message, ...(page === undefined ? {} : { page }) }));

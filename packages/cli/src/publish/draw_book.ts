@@ -4,7 +4,7 @@ import { copyFile, mkdir, rename, rm, writeFile } from "node:fs/promises";
 import { basename, dirname, extname, join } from "node:path";
 import type { ServedBook } from "../book.ts";
 import { Problem } from "../problem.ts";
-import type { BookLack, DrawnPage, DrawOptions } from "./drawn_page.ts";
+import type { DrawnPage, DrawOptions, UnshownPart } from "./drawn_page.ts";
 import { type PageDrawer, TookTooLong } from "./page_drawer.ts";
 import { paragraphsOf } from "./page_text.ts";
 import { searchWords } from "./search_words.ts";
@@ -39,7 +39,7 @@ export interface BookTask {
   readonly signal: AbortSignal;
   readonly progress: (fraction: number) => void;
   /** Called with what the book lists and cannot be shown, once all its pages are drawn. */
-  readonly missing: (missing: readonly BookLack[]) => void;
+  readonly missing: (missing: readonly UnshownPart[]) => void;
 }
 
 /**

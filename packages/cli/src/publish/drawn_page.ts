@@ -40,7 +40,7 @@ export interface DrawnPage {
 }
 
 /** Something that a book lists and that cannot be shown. */
-export interface BookLack {
+export interface UnshownPart {
   /** A sentence that says so. */
   readonly message: string;
   /** The page on which it would be shown, from 1, if that is known. */

@@ -5,7 +5,7 @@ import type { ServedBook, ServedFile } from "../book.ts";
 import { ChromiumPage } from "../chromium/devtools.ts";
 import { Problem } from "../problem.ts";
 import { type Serving, serve } from "../server.ts";
-import type { BookLack, DrawnPage, DrawOptions, OpenedBook } from "./drawn_page.ts";
+import type { DrawnPage, DrawOptions, OpenedBook, UnshownPart } from "./drawn_page.ts";
 
 /** Milliseconds that a browser has to start or to leave a page. */
 const startingTime = 60_000;
@@ -86,9 +86,9 @@ export class PageDrawer {
   }
 
   /** Returns what the open book lists and cannot be shown, as far as its pages were drawn. */
-  async warnings(): Promise<readonly BookLack[]> {
+  async warnings(): Promise<readonly UnshownPart[]> {
     return await this.#within(this.#patience, "The book", (page) =>
-      page.evaluate<BookLack[]>("drawing.warnings()"),
+      page.evaluate<UnshownPart[]>("drawing.warnings()"),
     );
   }
 

@@ -10,7 +10,7 @@ import { Warnings } from "../warnings.ts";
 import { type ListedBook, listBooks } from "./catalogue.ts";
 import { contentHash, hashOf } from "./content_hash.ts";
 import { drawBook, makeFolder } from "./draw_book.ts";
-import type { BookLack } from "./drawn_page.ts";
+import type { UnshownPart } from "./drawn_page.ts";
 import { mergeShards, type ShardNote } from "./merge.ts";
 import { PageDrawer } from "./page_drawer.ts";
 import type { PublishCommand } from "./publish_arguments.ts";
@@ -150,7 +150,7 @@ class Publishing {
   }
 
   /** Prints sentences about a book, as many of each kind as are read. */
-  #report({ given }: ListedBook, sentences: readonly BookLack[]): void {
+  #report({ given }: ListedBook, sentences: readonly UnshownPart[]): void {
     const warnings = new Warnings();
     if (sentences.length > 0) this.#progress.clear();
     for (const { page, message } of sentences) {

@@ -23,7 +23,7 @@ export function watchTaps(
     },
     { signal },
   );
-  // Who reads by the keyboard looks for them.
+  // Readers who use the keyboard need them.
   frame.addEventListener("keydown", show, { signal });
   signal.addEventListener("abort", show);
 }

@@ -564,7 +564,9 @@ export class OpenBook {
     const stage = this.#stage;
     const view = this.#element.ownerDocument.defaultView ?? window;
     const plane = this.#plane;
-    const resize = (pixels?: ResizeObserverSize): void => {
+    // As it was measured last: a change of style says nothing of it.
+    let pixels: ResizeObserverSize | undefined;
+    const resize = (): void => {
       const { clientWidth, clientHeight } = stage;
       if (clientWidth > 0 && clientHeight > 0) {
         // Printed, it is as on the screen, scaled.
@@ -577,9 +579,10 @@ export class OpenBook {
         this.viewer.resize(width / ratio, height / ratio, ratio, rounded(plane.scale));
       }
     };
-    const observer = new view.ResizeObserver(([entry]) =>
-      resize(entry?.devicePixelContentBoxSize?.[0]),
-    );
+    const observer = new view.ResizeObserver(([entry]) => {
+      pixels = entry?.devicePixelContentBoxSize?.[0];
+      resize();
+    });
     try {
       observer.observe(stage, { box: "device-pixel-content-box" });
     } catch {
@@ -587,8 +590,8 @@ export class OpenBook {
       observer.observe(stage);
     }
     signal.addEventListener("abort", () => observer.disconnect(), { once: true });
-    watchRatio(view, () => resize(), signal);
-    watchTransformation(this.#element, () => resize(), signal);
+    watchRatio(view, resize, signal);
+    watchTransformation(this.#element, resize, signal);
     resize();
   }
 }

@@ -6,6 +6,9 @@ const chunkStart = 8;
 /** Bytes of a camera's data in which the orientation is searched for: it is in the first list. */
 const exifLength = 1 << 16;
 
+/** Chunks that are looked at, each in a read of its own: programs write some dozen before the pixels. */
+const mostChunks = 500;
+
 /** The tag of the orientation, and bytes of an entry of a list (TIFF 6.0, 2). */
 const [orientationTag, entryLength] = [0x112, 12];
 
@@ -14,7 +17,8 @@ const [flagsAt, exifFlag] = [20, 0x08];
 
 /**
  * Returns the orientation of an image from 1, upright, to 8, as EXIF numbers it: 1 if it says none. Null
- * of a WebP that may lie turned by a quarter, as some browsers turn it and some do not.
+ * of a WebP that may lie turned by a quarter, as some browsers turn it and some do not, and where too much
+ * stands before the pixels.
  *
  * @param image a typed image
  */
@@ -24,7 +28,7 @@ export async function exifOrientation(image: Blob): Promise<number | null> {
 }
 
 async function orientationOfPng(image: Blob): Promise<number | null> {
-  for (let at = chunkStart; ; ) {
+  for (let at = chunkStart, count = 0; count < mostChunks; count++) {
     const chunk = await viewOf(image, at, chunkStart);
     if (chunk === null) return 1;
     const [length, type] = [chunk.getUint32(0), chunk.getUint32(4)];
@@ -33,15 +37,16 @@ async function orientationOfPng(image: Blob): Promise<number | null> {
     if (type === 0x49444154) return 1;
     at += chunkStart + length + 4;
   }
+  return null;
 }
 
 async function orientationOfWebp(image: Blob): Promise<number | null> {
   const flags = await viewOf(image, 12, flagsAt - 12 + 1);
   // "VP8X", without which there is no more than the picture.
   if (flags?.getUint32(0) !== 0x56503858 || !(flags.getUint8(8) & exifFlag)) return 1;
-  for (let at = 12; ; ) {
+  for (let at = 12, count = 0; count < mostChunks; count++) {
     const chunk = await viewOf(image, at, chunkStart);
-    if (chunk === null) return null;
+    if (chunk === null) break;
     const length = chunk.getUint32(4, true);
     // "EXIF".
     if (chunk.getUint32(0) === 0x45584946) {
@@ -50,6 +55,7 @@ async function orientationOfWebp(image: Blob): Promise<number | null> {
     }
     at += chunkStart + length + (length & 1);
   }
+  return null;
 }
 
 /** Returns the orientation in a camera's data; 1 if there is none. */

@@ -33,13 +33,18 @@ export interface Cut {
 }
 
 /**
- * Returns the pages of a strip.
+ * Returns how many pages a strip takes, which may be more than there can be.
  *
  * @param size of the strip in pixels
  * @param ratio the height of a page over its width
  */
-export function pagesOfStrip({ width, height }: PageSize, ratio: number): StripPage[] {
-  const count = Math.max(Math.ceil(height / (width * ratio * (1 - 2 * mostMoved))), 1);
+export function countOfStrip({ width, height }: PageSize, ratio: number): number {
+  return Math.max(Math.ceil(height / (width * ratio * (1 - 2 * mostMoved))), 1);
+}
+
+/** Returns the pages of a strip, as many as `countOfStrip` says. */
+export function pagesOfStrip(size: PageSize, ratio: number): StripPage[] {
+  const count = countOfStrip(size, ratio);
   return Array.from({ length: count }, (_, index) => ({ index, count, ratio }));
 }
 

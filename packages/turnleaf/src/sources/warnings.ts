@@ -22,7 +22,6 @@ const phrases: Readonly<Record<BookWarningCode, string>> = {
  * Returns a warning with the usual sentence of its kind.
  *
  * @param source the file, address, name or title that it is about
- *
  * @param name the book's name in sentences
  */
 export function warningOf(code: BookWarningCode, source: string, name: string): BookWarning {

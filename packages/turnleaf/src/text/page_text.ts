@@ -25,7 +25,6 @@ export function layText(runs: readonly TextRun[], project: Project): Node[] {
       const span = document.createElement("span");
       span.textContent = piece.text;
       span.dir = "auto";
-
       const printed = piece.text.trimEnd() || piece.text;
       const length = widthOf(printed);
       const [width, height] = run.vertical ? [fontSize, length] : [length, fontSize];

@@ -91,6 +91,15 @@ export interface Framing {
   flapEdge: number[];
 }
 
+/** Of an open book that lies still. */
+export const openFraming: Framing = {
+  closedRight: 0,
+  closedLeft: 0,
+  middle: 0,
+  boardEdges: [],
+  flapEdge: [],
+};
+
 /**
  * Returns the view that frames the book, a continuous function of the framing.
  *
@@ -149,8 +158,7 @@ export function frameBook(
 function lensOf(shape: BookShape, aspect: number, rim: number): number {
   const { margin, alone } = shape;
   const { right, up, back } = axesOf(90 * radians, 0, shape.quarterTurned);
-  const open = { closedRight: 0, closedLeft: 0, middle: 0, boardEdges: [], flapEdge: [] };
-  const lying = alone === 0 ? openPoints(shape, open, rim) : alonePoints(shape, alone);
+  const lying = alone === 0 ? openPoints(shape, openFraming, rim) : alonePoints(shape, alone);
   const swinging: number[] = [];
   addSwing(swinging, shape, 0);
   const [x0, x1] = extentOf(lying, right);

@@ -22,7 +22,15 @@ import type {
 } from "../stage/book_stage.ts";
 import { overheadAt, type Zoom, ZoomState } from "../stage/zoom.ts";
 import { BeyondSpine } from "./beyond_spine.ts";
-import { type Framing, fieldOfView, frameBook, sightOf, type View, widestLens } from "./camera.ts";
+import {
+  type Framing,
+  fieldOfView,
+  frameBook,
+  openFraming,
+  sightOf,
+  type View,
+  widestLens,
+} from "./camera.ts";
 import { compiledAhead } from "./compiled_ahead.ts";
 import { ContextWatch, openContext } from "./context.ts";
 import { DrawnBook } from "./drawn_book.ts";
@@ -36,15 +44,6 @@ import { PictureTextures } from "./textures.ts";
 
 /** Maximum of pixels of a frame at rest. */
 const mostPixels = 16e6;
-
-/** An open book that lies still. */
-const openFraming: Framing = {
-  closedRight: 0,
-  closedLeft: 0,
-  middle: 0,
-  boardEdges: [],
-  flapEdge: [],
-};
 
 /** Sides of the open book. */
 const sides = ["left", "right"] as const;

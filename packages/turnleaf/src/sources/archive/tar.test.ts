@@ -23,7 +23,7 @@ test.each(["GNU", "POSIX"] as const)(
     expect(text(await archive.readStart("a/ü.txt", 2))).toBe("he");
     expect(await messageOf(archive.read("d"))).toBe("a.cbt has no file d; get it again.");
     expect(await messageOf(archive.read("b.txt", 2))).toBe(
-      "b.txt in a.cbt is larger than 0 MB; make it smaller.",
+      "b.txt in a.cbt is larger than 0 MB when unpacked; make it smaller.",
     );
   },
 );
@@ -55,4 +55,12 @@ test("too many files are rejected", async () => {
   } finally {
     bounds.archiveEntries = archiveEntries;
   }
+});
+
+test("headers that are of no file are counted too", async () => {
+  // A folder, again and again: its header is all that there is of it.
+  const folder = tar({ "a/": "" }).slice(0, 512);
+  const most = 3 * limits.archiveEntries;
+  const headers = new Blob(Array(most + 2).fill(folder));
+  expect(await messageOf(openTar(headers, "a.cbt"))).toContain("more than");
 });

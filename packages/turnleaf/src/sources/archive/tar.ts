@@ -4,9 +4,16 @@ import { bytesOf } from "../book_file.ts";
 import { limits } from "../limits.ts";
 import { BookError } from "../page_source.ts";
 import type { Archive } from "./archive.ts";
+import { BlobArchive } from "./blob_archive.ts";
 import { legacyNames } from "./legacy_names.ts";
 import { cleanPath } from "./names.ts";
 import { readTarHeader, tarBlock } from "./tar_header.ts";
+
+/** Bytes that are read at once: many small files, or descriptions of them, in one piece. */
+const pieceLength = 128 * tarBlock;
+
+/** Headers of a file at most: its own, and two that describe it. */
+const headersOfFile = 3;
 
 /** Types of entries that are files, and of those that describe the next one. */
 const [files, longName, extended] = [/[07]/, "L", "x"] as const;
@@ -21,8 +28,13 @@ export async function openTar(file: Blob, name: string): Promise<Archive> {
   const found: { path: Uint8Array<ArrayBuffer>; bytes: Blob }[] = [];
   let path: Uint8Array<ArrayBuffer> | null = null;
   let size: number | null = null;
-  for (let at = 0; at < file.size; ) {
-    const header = readTarHeader(await bytesOf(file.slice(at, at + tarBlock), name));
+  let [piece, pieceAt] = [new Uint8Array(), 0];
+  for (let at = 0, count = 0; at < file.size; count++) {
+    if (count > headersOfFile * limits.archiveEntries) throw tooMany(name);
+    if (at + tarBlock > pieceAt + piece.length) {
+      [piece, pieceAt] = [await bytesOf(file.slice(at, at + pieceLength), name), at];
+    }
+    const header = readTarHeader(piece.subarray(at - pieceAt, at - pieceAt + tarBlock));
     if (!header) break;
     const length = size !== null && files.test(header.type) ? size : header.size;
     const bytes = file.slice(at + tarBlock, at + tarBlock + length);
@@ -40,10 +52,7 @@ export async function openTar(file: Blob, name: string): Promise<Archive> {
     if (!files.test(header.type) || own.at(-1) === 0x2f) continue;
     found.push({ path: own, bytes });
     if (found.length <= limits.archiveEntries) continue;
-    throw new BookError(
-      `${name} has more than ${limits.archiveEntries} files; split it and open a part.`,
-      { code: "tooLarge", source: name },
-    );
+    throw tooMany(name);
   }
   const raw = found.map((one) => one.path);
   const names = legacyNames(
@@ -56,8 +65,14 @@ export async function openTar(file: Blob, name: string): Promise<Archive> {
     // Of several of one name the last is meant: a tar is added to at its end.
     if (clean !== null) entries.set(clean, bytes);
   }
-  return new TarArchive(name, entries);
+  return new BlobArchive(name, entries);
 }
+
+const tooMany = (name: string): BookError =>
+  new BookError(`${name} has more than ${limits.archiveEntries} files; split it and open a part.`, {
+    code: "tooLarge",
+    source: name,
+  });
 
 const untilZero = (bytes: Uint8Array<ArrayBuffer>): Uint8Array<ArrayBuffer> =>
   bytes.includes(0) ? bytes.slice(0, bytes.indexOf(0)) : bytes;
@@ -78,46 +93,4 @@ function extendedHeader(bytes: Uint8Array<ArrayBuffer>): {
     at += Number(length);
   }
   return said;
-}
-
-class TarArchive implements Archive {
-  readonly names: readonly string[];
-  readonly #name: string;
-  #entries: ReadonlyMap<string, Blob>;
-
-  constructor(name: string, entries: ReadonlyMap<string, Blob>) {
-    this.#name = name;
-    this.#entries = entries;
-    this.names = [...entries.keys()];
-  }
-
-  size(name: string): number {
-    return this.#entries.get(name)?.size ?? 0;
-  }
-
-  async read(name: string, most: number = limits.archivedBytes): Promise<Uint8Array<ArrayBuffer>> {
-    const file = this.#file(name);
-    if (file.size <= most) return await bytesOf(file, this.#name);
-    throw new BookError(
-      `${name} in ${this.#name} is larger than ${Math.floor(most / (1 << 20))} MB; make it smaller.`,
-      { code: "tooLarge", source: name },
-    );
-  }
-
-  async readStart(name: string, length: number): Promise<Uint8Array<ArrayBuffer>> {
-    return await bytesOf(this.#file(name).slice(0, length), this.#name);
-  }
-
-  close(): void {
-    this.#entries = new Map();
-  }
-
-  #file(name: string): Blob {
-    const file = this.#entries.get(name);
-    if (file) return file;
-    throw new BookError(`${this.#name} has no file ${name}; get it again.`, {
-      code: "damaged",
-      source: this.#name,
-    });
-  }
 }

@@ -14,6 +14,7 @@ import { trustedScript } from "../trusted_script.ts";
 import { scriptOfWorker, workerNotStarted } from "../worker_script.ts";
 import type { Archive } from "./archive.ts";
 import { marksLength, type Obstacle, obstacleIn } from "./archive_marks.ts";
+import { BlobArchive } from "./blob_archive.ts";
 import { cleanPath } from "./names.ts";
 import type { Stop, UnpackingBounds } from "./unpacker/unpack_all.ts";
 import type { UnpackingTask, WorkerMessage } from "./unpacker/unpacker_worker.ts";
@@ -70,7 +71,7 @@ export async function openUnpacked(
   ]);
   const task = { code: await unpack(packed.default), file, bounds };
   signal?.throwIfAborted();
-  return new UnpackedArchive(name, await unpackInWorker(address, task, bounds.time, name, signal));
+  return new BlobArchive(name, await unpackInWorker(address, task, bounds.time, name, signal));
 }
 
 /** A file of an archive, or why it is not there. */
@@ -164,48 +165,6 @@ function unpackInWorker(
       fail(workerNotStarted(name, "unpacks it", error));
     }
   });
-}
-
-class UnpackedArchive implements Archive {
-  readonly names: readonly string[];
-  readonly #name: string;
-  #files: ReadonlyMap<string, UnpackedFile>;
-
-  constructor(name: string, files: ReadonlyMap<string, UnpackedFile>) {
-    this.#name = name;
-    this.#files = files;
-    this.names = [...files.keys()];
-  }
-
-  size(name: string): number {
-    const file = this.#files.get(name);
-    return file instanceof Blob ? file.size : 0;
-  }
-
-  async read(name: string, most: number = limits.archivedBytes): Promise<Uint8Array<ArrayBuffer>> {
-    const file = this.#file(name);
-    if (file.size > most) throw tooLarge(name, this.#name, most);
-    return await bytesOf(file, this.#name);
-  }
-
-  async readStart(name: string, length: number): Promise<Uint8Array<ArrayBuffer>> {
-    return await bytesOf(this.#file(name).slice(0, length), this.#name);
-  }
-
-  close(): void {
-    this.#files = new Map();
-  }
-
-  #file(name: string): Blob {
-    const file = this.#files.get(name);
-    if (!file)
-      throw new BookError(`${this.#name} has no file ${name}; get it again.`, {
-        code: "damaged",
-        source: this.#name,
-      });
-    if (file instanceof BookError) throw file;
-    return file;
-  }
 }
 
 const obstacles: Readonly<Record<Obstacle, string>> = {

@@ -8,7 +8,7 @@ import { limits } from "../limits.ts";
 import type { ImagePage, StoredImage } from "../manifest.ts";
 import { BookError, type OutlineEntry, type PageSize, type PageSource } from "../page_source.ts";
 import { imageType, rareImageType, sniffLength } from "../sniff.ts";
-import { pagesOfStrip } from "../strips.ts";
+import { countOfStrip, pagesOfStrip } from "../strips.ts";
 import { WarningList, warningOf } from "../warnings.ts";
 import { decodeXml } from "../xml_text.ts";
 import { type ComicInfo, noInfo, readComicInfo } from "./comic_info.ts";
@@ -75,7 +75,11 @@ export async function openComic(archive: Archive, file: Blob, name: string): Pro
     });
     const scans = coverFirst(await measureAll(archive, files, info));
     const format = formatOf(scans);
-    const pages = scans.flatMap((scan) => pagesOf(scan, info.direction, format));
+    const pages: Page[] = [];
+    // What a strip claims to be is not known to be true.
+    for (const scan of scans) {
+      pages.push(...pagesOf(scan, info.direction, format, limits.pages - pages.length));
+    }
     if (pages.length === 0)
       throw new BookError(`${name} marks all its pages as deleted.`, {
         code: "empty",
@@ -196,7 +200,7 @@ async function measureAll(
         path,
         image,
         isDamaged: start === null || start.type === "",
-        size: start && (await sizeOf(start, archive, path)),
+        size: start && start.type !== "" ? await sizeOf(start, archive, path) : null,
         double: page?.double ?? null,
         bookmark: page?.bookmark ?? "",
         isCover: false,
@@ -256,16 +260,21 @@ interface Page {
   readonly bookmark: string;
 }
 
-/** Returns a scan as a page, as two that face each other if it is of a spread, or as those of a strip. */
+/**
+ * Returns a scan as a page, as two that face each other if it is of a spread, or as those of a strip.
+ *
+ * @param most pages of a strip; one of more is shown whole
+ */
 function pagesOf(
   scan: Scan,
   direction: "ltr" | "rtl",
   { ratio: usual, isScrolled }: Format,
+  most: number,
 ): Page[] {
   const { image: src, size, bookmark } = scan;
   const ratio = size ? size.width / size.height / usual : 1;
   const damaged = scan.isDamaged ? { damaged: scan.path } : {};
-  if (size && ratio < leastWidth) {
+  if (size && ratio < leastWidth && countOfStrip(size, 1 / usual) <= most) {
     const page = { width: size.width, height: size.width / usual };
     return pagesOfStrip(size, 1 / usual).map((strip, k) => {
       return { page: { src, size: page, strip }, bookmark: k === 0 ? bookmark : "" };

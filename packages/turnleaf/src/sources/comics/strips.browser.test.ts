@@ -100,3 +100,11 @@ test("a wide picture among strips is no spread, nor is one of which ComicInfo.xm
   const info = { "ComicInfo.xml": strToU8(xml) };
   expect((await comic({ ...pages, ...wide, ...info })).pageCount).toBe(3);
 });
+
+test("a strip that claims more pages than there can be is one page", async () => {
+  const claim = await rows(1, 4);
+  // The height in the header.
+  new DataView(claim.buffer).setUint32(20, 0x7fffffff);
+  const source = await comic({ "1.png": claim, "2.png": await rows(100, 150) });
+  expect(source.pageCount).toBe(2);
+});

@@ -87,11 +87,12 @@ export class Footnotes {
       const number = this.#numbers.size + 1;
       this.#numbers.set(label, number);
       found.push({ number, tokens: note.tokens });
-      for (const inner of referencesIn(note.tokens)) add(inner);
     };
     for (const label of referencesIn(tokens)) add(label);
+    // Notes may refer to others, which come after them.
+    for (const note of found) for (const label of referencesIn(note.tokens)) add(label);
     if (isLast) for (const label of this.#definitions.keys()) add(label);
-    return found.sort((a, b) => a.number - b.number);
+    return found;
   }
 
   /** Returns the markup of a reference. */

@@ -185,3 +185,11 @@ And there[^b].
   expect(links.at(-1)).toMatchObject({ title: "↩", to: { page: 1 } });
   expect(source.warnings).toEqual([]);
 });
+
+test("notes that lead one to the next are numbered in their order, however many they are", async () => {
+  const count = 12_000;
+  const notes = Array.from({ length: count }, (_, k) => `[^${k}]: Note${k} [^${k + 1}]`);
+  const source = await open(`# One\n\nHere[^0].\n\n${notes.join("\n\n")}\n`, "chain.md");
+  const runs = (await source.text?.(0, never)) ?? [];
+  expect(runs.map((run) => run.text).join("")).toContain("Here1.");
+});

@@ -24,8 +24,9 @@ import { FlowWarnings } from "./flow_warnings.ts";
 import { idle } from "./idle.ts";
 import type { LaidChapter } from "./laid_chapter.ts";
 import { Narrator } from "./narrator.ts";
+import { NumberedPages } from "./numbered_pages.ts";
 import { SectionLengths } from "./page_estimate.ts";
-import { PageNumbers, type SectionPage } from "./page_numbers.ts";
+import type { SectionPage } from "./page_numbers.ts";
 import { SectionContents } from "./section_contents.ts";
 import {
   anchorOf,
@@ -81,19 +82,9 @@ export class FlowSource implements PageSource {
   readonly #contents: SectionContents;
   readonly #warnings: FlowWarnings;
   readonly #lengths: SectionLengths;
-  #edition: Edition;
   /** Another edition, whose pages are to replace these. */
   #next: Edition | null = null;
-  #numbers: PageNumbers;
-  /** The places of readers on pages that are not those where these begin. */
-  #places = new Map<number, TextPlace>();
-  /**
-   * Of sections that are laid out while their numbers are still estimates: how many pages farther on
-   * a page is than its number says.
-   */
-  #shifts = new Map<number, number>();
-  /** The place that keeps its side of a spread, whatever is counted before it. */
-  #sided: { readonly place: TextPlace; readonly side: "first" | "second" } | null = null;
+  readonly #pages: NumberedPages;
   /** Resolves once all pages of the last edition are counted. */
   #counting: Promise<void>;
   #listener: ((change: () => NewIndex) => void) | null = null;
@@ -143,18 +134,17 @@ export class FlowSource implements PageSource {
     this.#warnings = warnings;
     this.#lengths = lengths;
     this.#ended = ended;
-    this.#edition = edition;
-    this.#numbers = this.#numbersOf(edition);
+    this.#pages = new NumberedPages(book.sections.length, edition);
     if (book.sections.some(({ isFixed }) => !isFixed)) {
       this.typeset = (typography) => this.#typeset(typography);
     }
     if (book.sections.some(({ roll }) => roll !== undefined)) {
-      this.roll = (index) => book.sections[this.#numbers.at(index).section]?.roll ?? null;
+      this.roll = (index) => book.sections[this.#pages.numbers.at(index).section]?.roll ?? null;
     }
     if (book.narration) {
       this.narration = new Narrator(book.narration, {
         at: (index) => this.#at(index),
-        indexOf: (section, page) => this.#indexOf(section, page),
+        indexOf: (section, page) => this.#pages.indexOf(section, page),
         lay: (section, signal) => this.#lay(section, signal),
         redraw: (section, pages) => this.#redraw(section, pages),
       });
@@ -164,11 +154,11 @@ export class FlowSource implements PageSource {
   }
 
   get pageCount(): number {
-    return this.#numbers.pageCount;
+    return this.#pages.numbers.pageCount;
   }
 
   get warnings(): readonly BookWarning[] {
-    return this.#warnings.all((section, page) => this.#numbers.indexOf(section, page) + 1);
+    return this.#warnings.all((section, page) => this.#pages.numbers.indexOf(section, page) + 1);
   }
 
   watchWarnings(listener: () => void): void {
@@ -176,7 +166,7 @@ export class FlowSource implements PageSource {
   }
 
   get isEstimated(): boolean {
-    return this.#numbers.isEstimated;
+    return this.#pages.numbers.isEstimated;
   }
 
   async size(index: number, signal?: AbortSignal): Promise<PageSize> {
@@ -187,11 +177,11 @@ export class FlowSource implements PageSource {
   }
 
   inSpread(index: number): ReturnType<NonNullable<PageSource["inSpread"]>> {
-    const { section, page } = this.#numbers.at(index);
+    const { section, page } = this.#pages.numbers.at(index);
     const { side, roll } = this.#book.sections[section] ?? {};
     if (roll !== undefined) return "single";
     if (page > 0) return undefined;
-    if (side === undefined) return this.#sideOf(section);
+    if (side === undefined) return this.#pages.sideOf(section);
     if (side === "center") return "single";
     return (side === "left") === (this.direction === "ltr") ? "first" : "second";
   }
@@ -272,7 +262,7 @@ export class FlowSource implements PageSource {
     const { section } = place;
     return {
       key: edition.keyOf(section, page),
-      index: () => this.#indexOfPlace(place),
+      index: () => this.#pages.indexOfPlace(place),
       text: async (signal) => {
         const laid = await this.#lay(section, signal);
         return await laid.runs(
@@ -345,7 +335,7 @@ export class FlowSource implements PageSource {
   }
 
   anchor(index: number): string {
-    return anchorOf(this.#placeOn(index));
+    return anchorOf(this.#pages.placeOn(index));
   }
 
   async findAnchors(anchors: readonly string[]): Promise<readonly (number | null)[]> {
@@ -360,13 +350,13 @@ export class FlowSource implements PageSource {
     }
     if (this.#isClosed) throw this.#closed();
     if (this.#listener === null) this.#change();
-    else if (places.some((place) => place && !this.#numbers.isKnown(place.section)))
+    else if (places.some((place) => place && !this.#pages.numbers.isKnown(place.section)))
       this.#announce();
-    return places.map((place) => place && this.#indexOfPlace(place));
+    return places.map((place) => place && this.#pages.indexOfPlace(place));
   }
 
   keepSide(index: number, side: "first" | "second"): void {
-    this.#sided = { place: this.#placeOn(index), side };
+    this.#pages.keepSide(index, side);
   }
 
   async settle(signal?: AbortSignal): Promise<void> {
@@ -396,6 +386,10 @@ export class FlowSource implements PageSource {
     this.#book.close();
   }
 
+  get #edition(): Edition {
+    return this.#pages.edition;
+  }
+
   get #isClosed(): boolean {
     return this.#ended.signal.aborted;
   }
@@ -409,69 +403,7 @@ export class FlowSource implements PageSource {
         source: this.#book.name,
       });
     }
-    return this.#show(this.#numbers.at(index));
-  }
-
-  /**
-   * Returns the page that is shown as one of a section, whose number may still be an estimate: it is as
-   * far through the section as that says.
-   */
-  #shown({ section, page }: SectionPage): SectionPage {
-    const map = this.#edition.mapOf(section);
-    if (map === undefined || this.#numbers.isKnown(section)) return { section, page };
-    const shift = this.#shifts.get(section);
-    if (shift !== undefined) return { section, page: page + shift };
-    const fraction = page / this.#numbers.countOf(section);
-    return { section, page: pageAtFraction(fraction, map.pageCount) };
-  }
-
-  /** As `#shown`; from now on the pages beside it follow it. */
-  #show(numbered: SectionPage): SectionPage {
-    const shown = this.#shown(numbered);
-    const { section } = shown;
-    // While it is not laid out, nothing of it is shown.
-    const isEstimate =
-      this.#edition.mapOf(section) !== undefined && !this.#numbers.isKnown(section);
-    if (isEstimate) this.#shifts.set(section, shown.page - numbered.page);
-    return shown;
-  }
-
-  /** Returns the index under which a page of a section is shown. */
-  #indexOf(section: number, page: number): number {
-    return this.#numbers.indexOf(section, page - (this.#shifts.get(section) ?? 0));
-  }
-
-  /** Returns the index of the page on which a place lies. */
-  #indexOfPlace(place: TextPlace): number {
-    const { section } = place;
-    const map = this.#edition.mapOf(section);
-    const count = this.#numbers.countOf(section);
-    if (map === undefined) {
-      return this.#numbers.indexOf(section, pageAtFraction(place.fraction ?? 0, count));
-    }
-    const page = pageOfPlace(place, map);
-    if (!this.#numbers.isKnown(section) && !this.#shifts.has(section)) {
-      this.#shifts.set(section, page - pageAtFraction(page / map.pageCount, count));
-    }
-    return this.#indexOf(section, page);
-  }
-
-  /** Returns the place with which a page begins. */
-  #placeOn(index: number): TextPlace {
-    const kept = this.#places.get(index);
-    if (kept) return kept;
-    const { section, page } = this.#shown(this.#numbers.at(index));
-    const map = this.#edition.mapOf(section);
-    if (map === undefined) return { section, fraction: page / this.#numbers.countOf(section) };
-    return placeOfPage(section, Math.min(Math.max(page, 0), map.pageCount - 1), map);
-  }
-
-  /** Returns the side on which a section has to begin so that the place that keeps its side does. */
-  #sideOf(section: number): "first" | "second" | undefined {
-    if (this.#sided?.place.section !== section || section === 0) return undefined;
-    const { place, side } = this.#sided;
-    const page = this.#indexOfPlace(place) - this.#numbers.indexOf(section, 0);
-    return (page % 2 === 0) === (side === "first") ? "first" : "second";
+    return this.#pages.show(this.#pages.numbers.at(index));
   }
 
   #closed(): BookError {
@@ -486,7 +418,7 @@ export class FlowSource implements PageSource {
     index: number,
     signal: AbortSignal,
   ): Promise<{ readonly laid: LaidChapter; readonly page: number }> {
-    const numbers = this.#numbers;
+    const numbers = this.#pages.numbers;
     this.#at(index);
     const numbered = numbers.at(index);
     const { section } = numbered;
@@ -494,9 +426,9 @@ export class FlowSource implements PageSource {
     const isEstimate = !numbers.isKnown(section);
     // It may have been counted since.
     const page =
-      numbers !== this.#numbers && isEstimate
+      numbers !== this.#pages.numbers && isEstimate
         ? pageAtFraction(numbered.page / numbers.countOf(section), laid.map.pageCount)
-        : this.#show(numbered).page;
+        : this.#pages.show(numbered).page;
     // Now that it is known what is shown under the number.
     this.#checkCount(section, laid);
     return { laid, page };
@@ -519,14 +451,14 @@ export class FlowSource implements PageSource {
 
   /** Corrects the number of a section's pages if it was estimated otherwise. */
   #checkCount(section: number, { map }: LaidChapter): void {
-    if (map.pageCount !== this.#numbers.countOf(section)) this.#announce();
+    if (map.pageCount !== this.#pages.numbers.countOf(section)) this.#announce();
   }
 
   /** Reports that pages of a section look otherwise; all of them if `pages` is null. */
   #redraw(section: number, pages: readonly number[] | null): void {
-    const count = this.#numbers.countOf(section);
+    const count = this.#pages.numbers.countOf(section);
     for (const page of pages ?? Array.from({ length: count }, (_, k) => k)) {
-      this.#onDrawing?.(this.#indexOf(section, page));
+      this.#onDrawing?.(this.#pages.indexOf(section, page));
     }
   }
 
@@ -577,8 +509,8 @@ export class FlowSource implements PageSource {
   /** Corrects an estimate of the number of pages that has turned out to be clearly wrong. */
   #correct(): void {
     if (this.#isClosed || this.#next) return;
-    const { pageCount } = this.#numbers;
-    const off = Math.abs(this.#numbersOf(this.#edition).pageCount - pageCount);
+    const { pageCount } = this.#pages.numbers;
+    const off = Math.abs(this.#pages.estimate - pageCount);
     if (off > mostOff * pageCount) this.#announce();
   }
 
@@ -590,42 +522,16 @@ export class FlowSource implements PageSource {
 
   /** Counts the pages anew: of another edition, or by what is known of this one. */
   #change(): NewIndex {
-    const [before, numbers] = [this.#edition, this.#numbers];
     this.#isDue = false;
-    const places = Array.from({ length: numbers.pageCount }, (_, index) => this.#placeOn(index));
-    const shifts = this.#shifts;
-    const next = this.#next;
-    if (next) {
-      this.#edition = next;
-      this.#next = null;
-      before.close();
-      this.#counting = this.#layRest(next);
-    }
-    const after = this.#edition;
-    const now = this.#numbersOf(after);
-    this.#numbers = now;
-    this.#shifts = new Map();
     this.narration?.forgetPages();
-    const placeOf = (index: number): number => this.#indexOfPlace(places[index] as TextPlace);
-    this.#places = new Map();
-    for (const [index, place] of places.entries()) {
-      if (place.offset === undefined) continue;
-      const to = placeOf(index);
-      if (!this.#places.has(to)) this.#places.set(to, place);
-    }
-    const sameIndex = (index: number): number | null => {
-      const numbered = numbers.at(index);
-      const { section } = numbered;
-      const page = numbered.page + (numbers.isKnown(section) ? 0 : (shifts.get(section) ?? 0));
-      const isSame = after === before && page >= 0 && page < now.countOf(section);
-      return isSame ? now.indexOf(section, page) : null;
-    };
-    return Object.assign(sameIndex, { placeOf });
-  }
-
-  #numbersOf(edition: Edition): PageNumbers {
-    const known = this.#book.sections.map((_, section) => edition.mapOf(section) !== undefined);
-    return new PageNumbers(edition.counts(), known, !edition.isCounted);
+    const next = this.#next;
+    if (next === null) return this.#pages.change(this.#edition);
+    const before = this.#edition;
+    this.#next = null;
+    const moved = this.#pages.change(next);
+    before.close();
+    this.#counting = this.#layRest(next);
+    return moved;
   }
 
   /**
@@ -634,7 +540,7 @@ export class FlowSource implements PageSource {
    */
   #placeOf({ section, id }: FlowTarget): { page: number; top?: number } {
     const map = this.#edition.mapOf(section);
-    const page = this.#indexOf(section, map?.ids.get(id) ?? 0) + 1;
+    const page = this.#pages.indexOf(section, map?.ids.get(id) ?? 0) + 1;
     const top = map?.tops.get(id);
     return top === undefined ? { page } : { page, top };
   }

@@ -3,11 +3,14 @@
 import { cleanAddress } from "../book_text.ts";
 import type { BookError, BookWarning } from "../page_source.ts";
 import { joinedWarnings, warningOf } from "../warnings.ts";
-import type { FlowBook, FlowOutline } from "./flow_book.ts";
+import type { FlowBook, FlowOutline, FlowTarget } from "./flow_book.ts";
 import type { SectionMap } from "./laid_section.ts";
 
 /** Returns the page (from 1 of the book) of a page of a section (from 0). */
 type PageOf = (section: number, page: number) => number;
+
+/** A link to a note, and where it leads; null if nowhere. */
+type LinkedNote = SectionMap["noteLinks"][number] & { readonly target: FlowTarget | null };
 
 /** The warnings of one book, however often it is set anew. */
 export class FlowWarnings {
@@ -15,7 +18,8 @@ export class FlowWarnings {
   readonly #maps = new Map<number, SectionMap>();
   readonly #errors = new Map<number, BookError>();
   readonly #lines: readonly FlowOutline[];
-  #hasNotes = false;
+  /** The links to notes of each section, with where they lead: looked up once. */
+  readonly #notes = new Map<number, readonly LinkedNote[]>();
   #listener: (() => void) | null = null;
 
   constructor(book: FlowBook) {
@@ -27,9 +31,11 @@ export class FlowWarnings {
   laid(section: number, map: SectionMap): void {
     const wasKnown = this.#errors.delete(section) || this.#maps.has(section);
     this.#maps.set(section, map);
-    this.#hasNotes ||= map.noteLinks.length > 0;
+    const notes = this.#linksOf(section, map);
+    if (notes.length > 0) this.#notes.set(section, notes);
+    else this.#notes.delete(section);
     const isMissed = this.#lines.some((line) => this.#isMissing(line));
-    if (wasKnown || map.lost.length > 0 || this.#hasNotes || isMissed) this.#listener?.();
+    if (wasKnown || map.lost.length > 0 || this.#notes.size > 0 || isMissed) this.#listener?.();
   }
 
   /** Takes over why a section cannot be laid out. */
@@ -62,7 +68,14 @@ export class FlowWarnings {
           const page = target ? { page: pageOf(target.section, 0) } : {};
           return { ...warningOf("contents", `“${title}”`, name), ...page };
         }),
-      sections.flatMap(([section, map]) => this.#notesOf(section, map, pageOf)),
+      [...this.#notes].flatMap(([section, notes]) =>
+        notes
+          .filter((note) => this.#isBlank(note))
+          .map(({ href, page }) => ({
+            ...warningOf("note", href, name),
+            page: pageOf(section, page),
+          })),
+      ),
     );
   }
 
@@ -72,15 +85,19 @@ export class FlowWarnings {
     return map ? target.id !== "" && !map.ids.has(target.id) : false;
   }
 
-  /** Returns the notes without text to which a section's links lead. */
-  #notesOf(section: number, { noteLinks }: SectionMap, pageOf: PageOf): BookWarning[] {
-    return noteLinks.flatMap(({ href, page }) => {
-      const target = this.#book.resolve(section, href);
-      const map = target && this.#maps.get(target.section);
-      const isOnPage = map ? map.ids.has(target.id) && !map.blankIds.has(target.id) : true;
-      if (cleanAddress(href) !== "" || (target && (target.id === "" || isOnPage))) return [];
-      return [{ ...warningOf("note", href, this.#book.name), page: pageOf(section, page) }];
-    });
+  /** Returns a section's links to notes in the book. */
+  #linksOf(section: number, { noteLinks }: SectionMap): LinkedNote[] {
+    return noteLinks
+      .filter(({ href }) => cleanAddress(href) === "")
+      .map((link) => ({ ...link, target: this.#book.resolve(section, link.href) }));
+  }
+
+  /** Returns whether a link leads to a note that is missing, or has no text. */
+  #isBlank({ target }: LinkedNote): boolean {
+    if (target === null) return true;
+    const map = this.#maps.get(target.section);
+    if (map === undefined || target.id === "") return false;
+    return !map.ids.has(target.id) || map.blankIds.has(target.id);
   }
 }
 

@@ -277,11 +277,14 @@ function* textNodes(body: Element): Generator<Piece["node"]> {
     NodeFilter.SHOW_TEXT | NodeFilter.SHOW_ELEMENT,
     (node) => {
       const parent = node.parentElement as Element;
-      if (parent.closest("math")) return NodeFilter.FILTER_REJECT;
-      if (!isText(node) && (node as Element).localName !== "math") return NodeFilter.FILTER_SKIP;
+      const { localName } = node as Partial<Element>;
+      // What is in one is rejected with it.
+      if (parent.localName === "math" || localName === "rt" || localName === "rp") {
+        return NodeFilter.FILTER_REJECT;
+      }
+      if (!isText(node) && localName !== "math") return NodeFilter.FILTER_SKIP;
       const isSeen = view.getComputedStyle(parent).visibility === "visible";
-      if (!isSeen || parent.closest("rt, rp")) return NodeFilter.FILTER_REJECT;
-      return NodeFilter.FILTER_ACCEPT;
+      return isSeen ? NodeFilter.FILTER_ACCEPT : NodeFilter.FILTER_SKIP;
     },
   );
   for (let node = walker.nextNode(); node !== null; node = walker.nextNode()) {
