@@ -196,7 +196,8 @@ impl FoldOut {
             return;
         }
         self.pulled = to;
-        if self.drawn.is_some() {
+        if let Some(drawn) = &mut self.drawn {
+            drawn.first.get_or_insert(to[0]);
             return self.stillness.wake();
         }
         let local = core::array::from_fn(|axis| to[axis] - self.foot[axis]);

@@ -5,6 +5,7 @@
 
 import { expect, test } from "vitest";
 import type { TurnleafBook } from "./element.ts";
+import { clock } from "./for_tests/clock.ts";
 import {
   bookInPlace,
   drawRoughly,
@@ -73,13 +74,14 @@ async function expectPage(element: TurnleafBook, page: number, x: number, y: num
 
 /**
  * Drags from one place to another, in fractions of the element's size, slowly
- * enough for the leaf to follow.
+ * enough for the leaf to follow: once it moves, it goes on when `isHeld`.
  */
 async function drag(
   element: TurnleafBook,
   from: [number, number],
   to: [number, number],
   steps = 40,
+  isHeld = () => true,
 ) {
   const canvas = element.shadowRoot?.querySelector("canvas") as HTMLCanvasElement;
   canvas.setPointerCapture = () => {};
@@ -101,6 +103,7 @@ async function drag(
     const t = step / steps;
     point("pointermove", from[0] + (to[0] - from[0]) * t, from[1] + (to[1] - from[1]) * t);
     await new Promise((resolve) => requestAnimationFrame(resolve));
+    if (step === 4) await clock.until(isHeld);
   }
   point("pointerup", ...to);
   await settled(element);
@@ -280,7 +283,7 @@ test("a fold-out is folded in, unfolds beside the book, and folds in before a tu
 
 test("a pointer opens a fold-out by its flap, shuts it again, and turns its leaf by any other pull", async () => {
   const element = await openedWithFoldOut(wide(5, 30));
-  await drag(element, [0.58, 0.55], [0.86, 0.55]);
+  await drag(element, [0.58, 0.55], [0.86, 0.55], 40, () => element.foldOut === "open");
   await expectPage(element, 5, 0.5, 0.6);
   await expectPage(element, 30, 0.8, 0.6);
   expect([element.page, element.state]).toEqual([4, "resting"]);
@@ -310,7 +313,13 @@ test("a fold-out whose corner is lifted under a mouse unfolds, by command and by
   await element.foldIn();
   await settled(element);
   await lift();
-  await drag(element, [(right - 14) / 560, (top + 14) / 300], [0.97, (top + 18) / 300]);
+  await drag(
+    element,
+    [(right - 14) / 560, (top + 14) / 300],
+    [0.97, (top + 18) / 300],
+    40,
+    () => element.foldOut === "open",
+  );
   await expectPage(element, 30, 0.8, 0.6);
   expect([element.page, element.state]).toEqual([4, "resting"]);
 });
@@ -352,7 +361,8 @@ test("a leporello opens panel by panel, by command and by a pull, shuts and turn
   expect(await seen()).toEqual([5, 30, 34]);
   await element.foldIn();
   expect(await seen()).toEqual([5, 34]);
-  await drag(element, [0.66, 0.55], [0.97, 0.55]);
+  // It is drawn in panels, which takes the browser a while, before the hand has it and the eye steps back.
+  await drag(element, [0.66, 0.55], [0.97, 0.55], 40, () => element.foldOut === "open");
   expect(await seen()).toEqual([5, 30, 34]);
   expect([element.page, element.state, element.foldOut]).toEqual([4, "resting", "open"]);
   expect(await element.next()).toBe(true);

@@ -192,6 +192,28 @@ fn let_go_it_is_turned_to_the_side_on_which_its_first_panel_is() {
 }
 
 #[test]
+fn its_edge_goes_as_far_as_the_hand_has_since_it_first_pulled() {
+    let book = open_book(Stock::BOOK, 0.01);
+    for side in SIDES {
+        let reach = (1.94 * 0.148) as f32;
+        let ends = [0.0, 0.4].map(|first: f32| {
+            let mut flap = folded(&book, side, (1.94, 2));
+            flap.grab(1.0, 0.5);
+            let x = flap.foot[0];
+            // Nothing is stepped between the two, as where the flap is made while a hand draws it.
+            for out in [first, 0.7] {
+                flap.pull([x + side.sign() * reach * out, 0.105, 0.0]);
+            }
+            for _ in 0..120 {
+                flap.step(&book, 1);
+            }
+            flap.fold_angles()[0]
+        });
+        assert!(ends[0] < FRAC_PI_2 && ends[1] > FRAC_PI_2, "{side:?} {ends:?}");
+    }
+}
+
+#[test]
 fn panels_that_are_too_many_or_too_wide_are_rejected() {
     let book = open_book(Stock::BOOK, 0.01);
     for (width, panels, is_one) in [

@@ -88,8 +88,10 @@ impl FoldOut {
             turn.part = (turn.part + TICK / TURN).min(end);
             (turn.angles(self.panels), turn.part >= end)
         } else if let Some(drawn) = &mut self.drawn {
-            let out = self.side.sign() * (self.pulled[0] - self.foot[0]);
-            drawn.follow(out, (self.panels, width));
+            if let Some(first) = drawn.first {
+                let moved = self.side.sign() * (self.pulled[0] - first);
+                drawn.follow(moved, (self.panels, width));
+            }
             (drawn.angles, false)
         } else {
             return;

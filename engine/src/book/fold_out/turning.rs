@@ -87,29 +87,25 @@ pub(super) struct Drawn {
     pub edge: f32,
     /// Where the pointer holds the flap.
     pub u: f32,
-    /// How far beyond the fold the pointer pulled first, metres.
+    /// Where across the book the pointer pulled first, metres.
     pub first: Option<f32>,
     /// Angles of the folds now, as of a turn.
     pub angles: [f32; PANELS],
 }
 
 impl Drawn {
-    /// Moves the folds on where the pointer is so far beyond the first fold, metres; `width` is that
-    /// of a panel. Each stage moves the edge by two panels.
-    pub fn follow(&mut self, out: f32, (panels, width): (Panels, f32)) {
-        if !out.is_finite() {
-            return;
-        }
-        let first = *self.first.get_or_insert(out);
-        let edge = self.edge + (out - first) / self.u;
+    /// Moves the folds on where the pointer has moved outward by `moved` since it pulled first,
+    /// metres; `width` is that of a panel. Each stage moves the edge by two panels.
+    pub fn follow(&mut self, moved: f32, (panels, width): (Panels, f32)) {
+        let edge = self.edge + moved / self.u;
         let shut = if panels.count.is_multiple_of(2) {
             0.0
         } else {
             -width
         };
         for (fold, angle) in self.angles.iter_mut().enumerate().take(panels.count) {
-            let moved = (edge - shut) / width - 2.0 * Panels::stage(fold) as f32;
-            let cos = moved.clamp(0.0, 2.0) - 1.0;
+            let over = (edge - shut) / width - 2.0 * Panels::stage(fold) as f32;
+            let cos = over.clamp(0.0, 2.0) - 1.0;
             let to = Panels::way(fold) * libm::atan2f((1.0 - cos * cos).max(0.0).sqrt(), cos);
             *angle += (to - *angle).clamp(-DRAWN * TICK, DRAWN * TICK);
         }

@@ -239,7 +239,11 @@ export class FoldOut implements FoldOutSheets {
       else {
         this.#grab = grabbed;
         made.sheet.grab(grabbed.u, v);
-        if (from) this.#follow();
+        if (from) {
+          // It came after the pointer had begun to move, whose whole way it follows.
+          made.sheet.pull(this.#placeOf(made, { u: grabbed.u, at: from }));
+          this.#follow();
+        }
       }
       this.#hooks.moved();
     };
