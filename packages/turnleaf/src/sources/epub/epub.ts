@@ -34,6 +34,7 @@ import { warningOf } from "../warnings.ts";
 import { loadChapter, sizeIn } from "./chapter.ts";
 import { folderOfEpub, packageOf } from "./container.ts";
 import { EpubFiles } from "./epub_files.ts";
+import { dublinCore } from "./legacy_package.ts";
 import { NamedFiles } from "./named_files.ts";
 import { fontDecoder } from "./obfuscated_fonts.ts";
 import { checkPackage } from "./package_document.ts";
@@ -47,9 +48,6 @@ const anyXml = "application/xml";
 
 /** Fallbacks of a chapter, each of another. */
 const mostFallbacks = 10;
-
-/** The namespace of titles and names in a package. */
-const dublinCore = "http://purl.org/dc/elements/1.1/";
 
 /** Names of authors that are shown. */
 const mostCreators = 20;
