@@ -9,11 +9,11 @@ import { type BookFile, bytesOf, type WholeFile } from "./book_file.ts";
 import { isEpub } from "./epub/epub_names.ts";
 import { limits } from "./limits.ts";
 import { loadPart } from "./load_part.ts";
-import { type ImageBook, parseManifest } from "./manifest.ts";
+import { type ImageBook, type ImagePage, parseManifest } from "./manifest.ts";
 import { isRecord } from "./manifest_checks.ts";
 import { BookError, type PageSource, type Typography } from "./page_source.ts";
 import type { PdfOptions } from "./pdf.ts";
-import { type Kind, sniff } from "./sniff.ts";
+import { type Kind, rareImageType, sniff } from "./sniff.ts";
 
 /** The settings that a format may need. */
 export interface FormatOptions extends PdfOptions {
@@ -31,7 +31,16 @@ const formats: Readonly<Partial<Record<Kind, Open>>> = {
     const { openPdf } = await loadPart(import("./pdf.ts"));
     return await openPdf({ name, from, ...(length === undefined ? {} : { length }) }, options);
   },
-  image: ({ name, from }) => openImages(imageAlone(from, name)),
+  image: async (file, { signal }) => {
+    if (rareImageType(file.start) !== "image/tiff") {
+      return await openImages(imageAlone(file.name, [{ src: file.from }]));
+    }
+    const { blob } = await file.whole(limits.imageBytes, signal);
+    const { pagesOfTiff } = await loadPart(import("./rare_images/tiff_pages.ts"));
+    const pages = (await pagesOfTiff(blob)).map(({ image, size }) => ({ src: image, size }));
+    const book = imageAlone(file.name, pages.length > 1 ? pages : [{ src: blob }]);
+    return await openImages({ ...book, file: blob });
+  },
   json: async (file, options) => {
     const whole = await file.whole(limits.manifestBytes, options.signal);
     const value = await parseJson(whole, file.name);
@@ -186,8 +195,9 @@ const reasons: Readonly<Partial<Record<Kind, string>>> = {
   palmdoc: "is a text of a Palm (PalmDOC), which is not read",
 };
 
-function imageAlone(src: string | Blob, name: string): ImageBook {
-  return { name, title: name, language: "", direction: "ltr", kind: "scan", pages: [{ src }] };
+/** Returns the book that an image, or the pages of one, are. */
+function imageAlone(name: string, pages: readonly ImagePage[]): ImageBook {
+  return { name, title: name, language: "", direction: "ltr", kind: "scan", pages };
 }
 
 /**

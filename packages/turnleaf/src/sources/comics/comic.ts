@@ -5,6 +5,7 @@ import { cleanText } from "../book_text.ts";
 import { claimedSize, sizeFromHeader, typedImage } from "../image_header.ts";
 import { ImageSource } from "../images.ts";
 import { limits } from "../limits.ts";
+import { loadPart } from "../load_part.ts";
 import type { ImagePage, StoredImage } from "../manifest.ts";
 import { BookError, type OutlineEntry, type PageSize, type PageSource } from "../page_source.ts";
 import { imageType, rareImageType, sniffLength } from "../sniff.ts";
@@ -64,16 +65,11 @@ export async function openComic(archive: Archive, file: Blob, name: string): Pro
         source: name,
       });
     }
-    if (files.length > limits.pages) {
-      throw new BookError(
-        `${name} has ${files.length} images; split it into books of at most ${limits.pages}.`,
-        { code: "tooLarge", source: name },
-      );
-    }
+    checkCount(files.length, name);
     const info = await readInfo(archive, (path) => {
       warnings.add(warningOf("contents", path, name));
     });
-    const scans = coverFirst(await measureAll(archive, files, info));
+    const scans = coverFirst(await measureAll(archive, files, info, name));
     const format = formatOf(scans);
     const pages: Page[] = [];
     // What a strip claims to be is not known to be true.
@@ -106,6 +102,15 @@ export async function openComic(archive: Archive, file: Blob, name: string): Pro
     archive.close();
     throw error;
   }
+}
+
+/** Throws a `BookError` if a comic has too many images. */
+function checkCount(count: number, name: string): void {
+  if (count <= limits.pages) return;
+  throw new BookError(
+    `${name} has ${count} images; split it into books of at most ${limits.pages}.`,
+    { code: "tooLarge", source: name },
+  );
 }
 
 /**
@@ -183,32 +188,57 @@ async function measureAll(
   archive: Archive,
   files: readonly string[],
   info: ComicInfo,
+  name: string,
 ): Promise<Scan[]> {
-  const scans: Scan[] = [];
+  const found: (readonly Scan[])[] = [];
+  let count = 0;
   const waiting = files.keys();
   const work = async (): Promise<void> => {
     for (const index of waiting) {
       const path = files[index] as string;
       const page = info.pages.get(index);
       if (page?.deleted) continue;
-      const image: StoredImage = {
-        name: cleanText(path, 80),
-        read: async () => new Blob([await archive.read(path, limits.imageBytes)]),
-      };
-      const start = await startOf(archive, path);
-      scans[index] = {
-        path,
-        image,
-        isDamaged: start === null || start.type === "",
-        size: start && start.type !== "" ? await sizeOf(start, archive, path) : null,
-        double: page?.double ?? null,
-        bookmark: page?.bookmark ?? "",
-        isCover: false,
-      };
+      const about = { double: page?.double ?? null, bookmark: page?.bookmark ?? "" };
+      const scans = await measureFile(archive, path, about);
+      found[index] = scans;
+      count += scans.length;
+      checkCount(count, name);
     }
   };
   await Promise.all(Array.from({ length: atOnce }, work));
-  return scans.filter((scan) => scan !== undefined);
+  return found.flat();
+}
+
+/**
+ * Returns the images of a file: one, or each page of a TIFF.
+ *
+ * @param about what is known of the first
+ */
+async function measureFile(
+  archive: Archive,
+  path: string,
+  about: Pick<Scan, "double" | "bookmark">,
+): Promise<Scan[]> {
+  const whole = async (): Promise<Blob> => new Blob([await archive.read(path, limits.imageBytes)]);
+  const start = await startOf(archive, path);
+  const isDamaged = start === null || start.type === "";
+  const name = cleanText(path, 80);
+  const first = { path, isDamaged, isCover: false, ...about };
+  if (start?.type === "image/tiff") {
+    const { pagesOfTiff } = await loadPart(import("../rare_images/tiff_pages.ts"));
+    const pages = await whole().then(pagesOfTiff, () => []);
+    if (pages.length > 1) {
+      return pages.map(({ size }, k) => {
+        const read = async (): Promise<Blob> => {
+          const file = await whole();
+          return (await pagesOfTiff(file))[k]?.image ?? file;
+        };
+        return { ...first, image: { name, read }, size, bookmark: k === 0 ? about.bookmark : "" };
+      });
+    }
+  }
+  const size = start && !isDamaged ? await sizeOf(start, archive, path) : null;
+  return [{ ...first, image: { name, read: whole }, size }];
 }
 
 /** Returns the start of an image, of its type, "" for none; null if it cannot be read. */
