@@ -5,7 +5,7 @@
  */
 
 import type { Archive } from "./archive/archive.ts";
-import { type BookFile, bytesOf, type WholeFile } from "./book_file.ts";
+import { type BookFile, bytesOf, fileIn, type WholeFile } from "./book_file.ts";
 import { isEpub } from "./epub/epub_names.ts";
 import { limits } from "./limits.ts";
 import { loadPart } from "./load_part.ts";
@@ -68,6 +68,8 @@ const formats: Readonly<Partial<Record<Kind, Open>>> = {
   },
   rar: openUnpacked,
   "7z": openUnpacked,
+  gzip: openPacked,
+  zstd: openPacked,
   kindle: async (file, { signal, typography }) => {
     const { blob } = await file.whole(limits.archiveBytes, signal);
     const { openKindle } = await loadPart(import("./kindle/kindle.ts"));
@@ -79,6 +81,19 @@ const formats: Readonly<Partial<Record<Kind, Open>>> = {
     return await openFb2(blob, file.name, typography);
   },
 };
+
+/** Opens a book that is packed by itself, as the tar of a comic may be. */
+async function openPacked(file: BookFile, options: FormatOptions): Promise<PageSource> {
+  const { blob } = await file.whole(limits.archiveBytes, options.signal);
+  const { unpackedFile } = await loadPart(import("./archive/packed_file.ts"));
+  const kind = sniff(file);
+  const inner = await fileIn(await unpackedFile(blob, kind, file.name), file.name);
+  if (formats[sniff(inner)] !== openPacked) return await openFile(inner, options);
+  throw new BookError(`${file.name} is packed several times over; unpack it first.`, {
+    code: "unsupported",
+    source: file.name,
+  });
+}
 
 /** Opens a book in an archive of RAR or 7-Zip. */
 async function openUnpacked(file: BookFile, options: FormatOptions): Promise<PageSource> {
@@ -193,6 +208,9 @@ const readable =
 const reasons: Readonly<Partial<Record<Kind, string>>> = {
   html: "is a web page, not a book",
   palmdoc: "is a text of a Palm (PalmDOC), which is not read",
+  xz: "is packed by XZ, which is not unpacked here",
+  bzip2: "is packed by bzip2, which is not unpacked here",
+  zeros: "has no pages but only zeros, as an empty tar or a file that was not fetched whole",
 };
 
 /** Returns the book that an image, or the pages of one, are. */

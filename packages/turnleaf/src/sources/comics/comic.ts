@@ -60,7 +60,9 @@ export async function openComic(archive: Archive, file: Blob, name: string): Pro
     const warnings = new WarningList();
     const files = await pagesIn(archive, (path) => warnings.add(warningOf("page", path, name)));
     if (files.length === 0) {
-      throw new BookError(`${name} is an archive with no book in it; open another.`, {
+      const reason =
+        archive.names.length === 0 ? "it is empty" : "no file in it is a book or an image";
+      throw new BookError(`${name} has no pages: ${reason}; open another.`, {
         code: "empty",
         source: name,
       });
