@@ -54,7 +54,7 @@ const rejected: readonly (readonly [(words: string) => boolean, string])[] = [
   [(words) => words.startsWith("\xfd7zXZ\0"), "is packed by XZ, which is not unpacked here"],
   [(words) => /^BZh\d1AY&SY/.test(words), "is packed by bzip2, which is not unpacked here"],
   [
-    (words) => /^\0+$/.test(words),
+    (words) => /^\0{512,}$/.test(words),
     "has no pages but only zeros, as an empty tar or a file that was not fetched whole",
   ],
   [(words) => json.test(words), "is JSON (a IIIF manifest is opened by its address)"],

@@ -18,7 +18,7 @@ const kinds: Readonly<Record<Exclude<Kind, "image">, readonly [string | undefine
   zstd: ["application/zstd", ["\x28\xb5\x2f\xfd\0"]],
   xz: [undefined, ["\xfd7zXZ\0\0"]],
   bzip2: [undefined, ["BZh11AY&SY\0", "BZh91AY&SY\0"]],
-  zeros: [undefined, ["\0\0\0"]],
+  zeros: [undefined, ["\0".repeat(1024)]],
   kindle: ["application/x-mobipocket-ebook", [`${"a".padEnd(60, "\0")}BOOKMOBI`]],
   palmdoc: [undefined, [`${"a".padEnd(60, "\0")}TEXtREAd`]],
   fb2: [
@@ -36,7 +36,7 @@ const kinds: Readonly<Record<Exclude<Kind, "image">, readonly [string | undefine
     "text/plain",
     ["[a link](b.md)", "Call me Ishmael.", "[1] a note", "\xff\xfea\0", "\xc3\xa9", "<p>"],
   ],
-  unknown: [undefined, ["\0\0\x01", "\x7fELF", "caf\xe9"]],
+  unknown: [undefined, ["\0\0\0", "\x7fELF", "caf\xe9"]],
 };
 
 const images = {

@@ -123,7 +123,7 @@ export function sniff({ start, type }: FileStart): Kind {
     if (/^<(!doctype html|html|\?xml|!--|head|body)/i.test(words)) return "html";
   }
   if (isText(start, type)) return "text";
-  return start.length > 0 && start.every((byte) => byte === 0) ? "zeros" : "unknown";
+  return /^\0{512,}$/.test(text) ? "zeros" : "unknown";
 }
 
 /** Returns whether the first bytes of a file, as latin-1, are those of a FictionBook, in UTF-16 too. */
