@@ -7,6 +7,7 @@
 import type { Archive } from "./archive/archive.ts";
 import { type BookFile, bytesOf, fileIn, type WholeFile } from "./book_file.ts";
 import { isEpub } from "./epub/epub_names.ts";
+import { sizeFromHeader, typedImage } from "./image_header.ts";
 import { limits } from "./limits.ts";
 import { loadPart } from "./load_part.ts";
 import { type ImageBook, type ImagePage, parseManifest } from "./manifest.ts";
@@ -32,14 +33,12 @@ const formats: Readonly<Partial<Record<Kind, Open>>> = {
     return await openPdf({ name, from, ...(length === undefined ? {} : { length }) }, options);
   },
   image: async (file, { signal }) => {
-    if (rareImageType(file.start) !== "image/tiff") {
-      return await openImages(imageAlone(file.name, [{ src: file.from }]));
-    }
     const { blob } = await file.whole(limits.imageBytes, signal);
-    const { pagesOfTiff } = await loadPart(import("./rare_images/tiff_pages.ts"));
-    const pages = (await pagesOfTiff(blob)).map(({ image, size }) => ({ src: image, size }));
-    const book = imageAlone(file.name, pages.length > 1 ? pages : [{ src: blob }]);
-    return await openImages({ ...book, file: blob });
+    const pages = await pagesOfImage(file, blob);
+    const { name } = file;
+    return await openImages({
+      ...{ name, title: name, language: "", direction: "ltr", kind: "scan", pages, file: blob },
+    });
   },
   json: async (file, options) => {
     const whole = await file.whole(limits.manifestBytes, options.signal);
@@ -81,6 +80,19 @@ const formats: Readonly<Partial<Record<Kind, Open>>> = {
     return await openFb2(blob, file.name, typography);
   },
 };
+
+/** Returns the pages of an image: of a TIFF there may be several. */
+async function pagesOfImage(file: BookFile, image: Blob): Promise<readonly ImagePage[]> {
+  const { name, from, start } = file;
+  if (rareImageType(start) === "image/tiff") {
+    const { pagesOfTiff } = await loadPart(import("./rare_images/tiff_pages.ts"));
+    const pages = await pagesOfTiff(image);
+    if (pages.length > 1) return pages.map(({ image, size }) => ({ src: image, size }));
+  }
+  if (from instanceof Blob) return [{ src: image }];
+  const size = await sizeFromHeader(await typedImage(image));
+  return [{ src: { name, read: async () => image }, ...(size ? { size } : {}) }];
+}
 
 /** Opens a book that is packed by itself, as the tar of a comic may be. */
 async function openPacked(file: BookFile, options: FormatOptions): Promise<PageSource> {
@@ -198,8 +210,8 @@ export async function openFile(file: BookFile, options: FormatOptions): Promise<
 
 /** Opens a book of images. */
 export async function openImages(book: ImageBook): Promise<PageSource> {
-  const { ImageSource } = await loadPart(import("./images.ts"));
-  return new ImageSource(book);
+  const { openImageBook } = await loadPart(import("./images.ts"));
+  return await openImageBook(book);
 }
 
 const readable =
@@ -212,11 +224,6 @@ const reasons: Readonly<Partial<Record<Kind, string>>> = {
   bzip2: "is packed by bzip2, which is not unpacked here",
   zeros: "has no pages but only zeros, as an empty tar or a file that was not fetched whole",
 };
-
-/** Returns the book that an image, or the pages of one, are. */
-function imageAlone(name: string, pages: readonly ImagePage[]): ImageBook {
-  return { name, title: name, language: "", direction: "ltr", kind: "scan", pages };
-}
 
 /**
  * Returns whether JSON is of IIIF, by the context that it names: version 1 of Presentation had that of

@@ -19,6 +19,7 @@ import {
 import { SharedTasks } from "./shared_tasks.ts";
 import { showableImage } from "./showable_image.ts";
 import { shownImage } from "./shown_image.ts";
+import { withStrips } from "./strip_pages.ts";
 import type { Cut, StripPage } from "./strips.ts";
 import { lostLines, WarningList } from "./warnings.ts";
 
@@ -322,6 +323,11 @@ export class ImageSource implements PageSource {
     const suffix = file === "this book" ? "" : ` (${file})`;
     return `Page ${index + 1} of ${this.#book.name}${suffix}`;
   }
+}
+
+/** Opens a book of images, of which those that are strips take several pages. */
+export async function openImageBook(book: ImageBook): Promise<PageSource> {
+  return new ImageSource(await withStrips(book));
 }
 
 /** Returns the name of an image's file in sentences. */

@@ -9,7 +9,7 @@ import { loadPart } from "../load_part.ts";
 import type { ImagePage, StoredImage } from "../manifest.ts";
 import { BookError, type OutlineEntry, type PageSize, type PageSource } from "../page_source.ts";
 import { imageType, rareImageType, sniffLength } from "../sniff.ts";
-import { countOfStrip, pagesOfStrip } from "../strips.ts";
+import { formatOf, type PageFormat, stripPages } from "../strip_pages.ts";
 import { WarningList, warningOf } from "../warnings.ts";
 import { decodeXml } from "../xml_text.ts";
 import { type ComicInfo, noInfo, readComicInfo } from "./comic_info.ts";
@@ -42,12 +42,6 @@ const infoBytes = 4_000_000;
  */
 const [leastDouble, mostDouble] = [1.6, 2.5];
 
-/** The proportions of a page of a comic that is printed, where a comic has no pages: some 170 by 255 mm. */
-const printedRatio = 2 / 3;
-
-/** A scan is a strip that is scrolled if, whole on a page of the book, it is less wide than so much of it. */
-const leastWidth = 1 / 2;
-
 /**
  * Returns the book that an archive of images is. It closes the archive. Rejects
  * with a `BookError` if there are no images in it.
@@ -72,7 +66,7 @@ export async function openComic(archive: Archive, file: Blob, name: string): Pro
       warnings.add(warningOf("contents", path, name));
     });
     const scans = coverFirst(await measureAll(archive, files, info, name));
-    const format = formatOf(scans);
+    const format = formatOf(scans.map(({ size }) => size));
     const pages: Page[] = [];
     // What a strip claims to be is not known to be true.
     for (const scan of scans) {
@@ -269,22 +263,6 @@ async function claimedBy(image: Blob): Promise<PageSize | null> {
   return (await sizeFromHeader(image)) ?? (await claimedSize(image));
 }
 
-/** What a comic's pages are. */
-interface Format {
-  /** Their usual proportions, width over height. */
-  readonly ratio: number;
-  /** Whether most scans are strips: then a wide one is a wide picture, and no spread. */
-  readonly isScrolled: boolean;
-}
-
-function formatOf(scans: readonly Scan[]): Format {
-  const ratios = scans.flatMap(({ size }) => (size ? [size.width / size.height] : []));
-  const paged = ratios.filter((ratio) => ratio >= printedRatio * leastWidth);
-  if (2 * paged.length < ratios.length) return { ratio: printedRatio, isScrolled: true };
-  const median = paged.sort((a, b) => a - b)[(paged.length - 1) >> 1];
-  return { ratio: median ?? printedRatio, isScrolled: false };
-}
-
 interface Page {
   readonly page: ImagePage;
   /** What is wrong with it, if anything is: its path. */
@@ -297,22 +275,13 @@ interface Page {
  *
  * @param most pages of a strip; one of more is shown whole
  */
-function pagesOf(
-  scan: Scan,
-  direction: "ltr" | "rtl",
-  { ratio: usual, isScrolled }: Format,
-  most: number,
-): Page[] {
+function pagesOf(scan: Scan, direction: "ltr" | "rtl", format: PageFormat, most: number): Page[] {
   const { image: src, size, bookmark } = scan;
-  const ratio = size ? size.width / size.height / usual : 1;
+  const ratio = size ? size.width / size.height / format.ratio : 1;
   const damaged = scan.isDamaged ? { damaged: scan.path } : {};
-  if (size && ratio < leastWidth && countOfStrip(size, 1 / usual) <= most) {
-    const page = { width: size.width, height: size.width / usual };
-    return pagesOfStrip(size, 1 / usual).map((strip, k) => {
-      return { page: { src, size: page, strip }, bookmark: k === 0 ? bookmark : "" };
-    });
-  }
-  const looksDouble = !isScrolled && ratio > leastDouble && ratio < mostDouble;
+  const strip = stripPages(src, size, format, most);
+  if (strip) return strip.map((page, k) => ({ page, bookmark: k === 0 ? bookmark : "" }));
+  const looksDouble = !format.isScrolled && ratio > leastDouble && ratio < mostDouble;
   const isDouble = scan.double === null ? looksDouble : scan.double && ratio > 1;
   if (!isDouble || scan.isCover) {
     return [{ page: { src, ...(size ? { size } : {}) }, bookmark, ...damaged }];
