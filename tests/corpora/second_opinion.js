@@ -6,6 +6,9 @@
 /** Milliseconds after which a document counts as shown though not all of it has arrived. */
 const patience = 10_000;
 
+/** The difference of a colour within a picture, of 255, that is the noise of its compression, and the width at which it is seen. */
+const [blankNoise, seenWidth] = [8, 500];
+
 const opf = "http://www.idpf.org/2007/opf";
 const ncx = "http://www.daisy.org/z3986/2005/ncx/";
 const ops = "http://www.idpf.org/2007/ops";
@@ -50,23 +53,59 @@ function isPlaced(node) {
   );
 }
 
+/** Languages of markup that plain Chromium shows. */
+const languages = ["1999/xhtml", "2000/svg", "1998/Math/MathML"].map(
+  (one) => `http://www.w3.org/${one}`,
+);
+
+/** Returns whether an element is in a version of a switched content that is not the one to be read. */
+function isInOtherVersion(element) {
+  const version = element.closest("case, default");
+  if (version?.namespaceURI !== ops) return false;
+  const versions = [...version.parentElement.children];
+  const language = (one) => one.getAttribute("required-namespace") ?? "";
+  const read =
+    versions.find((one) => languages.includes(language(one))) ??
+    versions.find(({ localName }) => localName === "default");
+  return version !== read || isInOtherVersion(version.parentElement);
+}
+
 /** The pieces of a document's text that are seen. */
 function* piecesOf(root) {
   const walker = root.ownerDocument.createTreeWalker(root, NodeFilter.SHOW_TEXT);
   for (let node = walker.nextNode(); node; node = walker.nextNode()) {
     // Readings stand beside what they read, and are no text of their own.
     if (node.parentElement.closest("rt, rp")) continue;
-    // Of a switch, what is for systems that know more than plain Chromium is not read.
-    if (node.parentElement.closest("case")?.namespaceURI === ops) continue;
+    if (isInOtherVersion(node.parentElement)) continue;
     if (/\S/.test(node.data) && isSeen(node.parentElement) && isPlaced(node)) yield node;
   }
 }
 
+/** Returns whether a picture at an address is of more than one colour; one that cannot be loaded counts as such. */
+async function hasInk(address) {
+  const image = new Image();
+  image.src = address;
+  try {
+    await image.decode();
+    const height = Math.ceil((seenWidth * image.height) / image.width);
+    const pen = new OffscreenCanvas(seenWidth, height).getContext("2d");
+    pen.drawImage(image, 0, 0, seenWidth, height);
+    const { data } = pen.getImageData(0, 0, seenWidth, height);
+    return data.some((value, k) => Math.abs(value - data[k % 4]) > blankNoise);
+  } catch {
+    return true;
+  }
+}
+
 /** Returns whether anything besides text is seen in a document. */
-function hasPictures(root) {
-  const pictures =
-    "img, image, svg, video, object, embed, iframe, canvas, math, hr, audio[controls]";
-  if ([...root.querySelectorAll(pictures)].some(isSeen) || root.matches("svg")) return true;
+async function hasPictures(root) {
+  const images = [...root.querySelectorAll("img")].filter(isSeen);
+  for (const { currentSrc } of images) if (await hasInk(currentSrc)) return true;
+  const pictures = "image, video, object, embed, iframe, canvas, math, hr, audio[controls]";
+  if ([...root.querySelectorAll(pictures)].some(isSeen)) return true;
+  // A drawing in which nothing is drawn is an empty page.
+  const shapes = "circle, ellipse, line, path, polygon, polyline, rect, text, use, foreignObject";
+  if ([...root.querySelectorAll(shapes)].some(isSeen)) return true;
   return [root, ...root.querySelectorAll("*")].some((element) => {
     const { backgroundImage, backgroundColor, borderTopWidth, content } = getComputedStyle(element);
     return (
@@ -103,7 +142,7 @@ async function readPackage(base) {
   const address = new URL(path.split("/").map(encodeURIComponent).join("/"), base);
   const xml = await xmlAt(address);
   const items = new Map();
-  for (const item of xml.getElementsByTagNameNS(opf, "item")) {
+  for (const item of xml.getElementsByTagNameNS("*", "item")) {
     items.set(item.getAttribute("id"), {
       address: new URL(item.getAttribute("href"), address).href,
       type: item.getAttribute("media-type"),
@@ -112,13 +151,13 @@ async function readPackage(base) {
     });
   }
   const isShown = ({ type }) => /xhtml|svg|html|dtbook|oeb1|^image/.test(type ?? "");
-  const spine = [...xml.getElementsByTagNameNS(opf, "itemref")].flatMap((reference) => {
+  const spine = [...xml.getElementsByTagNameNS("*", "itemref")].flatMap((reference) => {
     let item = items.get(reference.getAttribute("idref"));
     for (let k = 0; item && !isShown(item) && k < 10; k++) item = items.get(item.fallback);
     return item ? [{ ...item, isLinear: reference.getAttribute("linear") !== "no" }] : [];
   });
   if (spine.length === 0) throw new Error("Its spine names no document");
-  const toc = xml.getElementsByTagNameNS(opf, "spine")[0]?.getAttribute("toc");
+  const toc = xml.getElementsByTagNameNS("*", "spine")[0]?.getAttribute("toc");
   return { items: [...items.values()], spine, ncx: items.get(toc) };
 }
 
@@ -161,7 +200,7 @@ export async function secondOpinion(base) {
   const chapters = [];
   for (const { address, isLinear, type } of book.spine) {
     if (/^image\/(?!svg)/.test(type)) {
-      chapters.push({ letters: "", isLinear, isEmpty: false, instead: [] });
+      chapters.push({ letters: "", isLinear, isEmpty: !(await hasInk(address)), instead: [] });
       continue;
     }
     const response = await fetch(address);
@@ -183,7 +222,7 @@ export async function secondOpinion(base) {
       chapters.push({
         letters,
         isLinear,
-        isEmpty: letters === "" && !hasPictures(root),
+        isEmpty: letters === "" && !(await hasPictures(root)),
         instead: instead.map(({ textContent }) => lettersOf(textContent)),
       });
       for (const line of lines) {

@@ -1,5 +1,6 @@
 /** The reader that `turnleaf read` serves: one book in the whole window, of a shelf with a way back. */
 
+import type { TurnleafBook } from "turnleaf";
 import "turnleaf";
 import { LocalBooks } from "./local_books.ts";
 
@@ -26,10 +27,25 @@ async function start(): Promise<void> {
     document.title = book.bookTitle || config.title;
     book.focus({ preventScroll: true, focusVisible: false });
   });
+  reportWarnings(book);
   document.getElementById("wait")?.remove();
   const [notice, pickers] = ["notice", "pickers"].map((id) => document.getElementById(id));
   if (notice && pickers) new LocalBooks(book, notice, pickers);
   document.getElementById("desk")?.append(book);
+}
+
+/** Reports what a book drops to the command, which prints it, as it is found. */
+function reportWarnings(book: TurnleafBook): void {
+  const reported = new Set<string>();
+  book.addEventListener("warnings", ({ detail }) => {
+    const sentences = detail.warnings.map(({ message }) => message);
+    const others = sentences.filter((sentence) => !reported.has(sentence));
+    for (const sentence of others) reported.add(sentence);
+    // A command that was ended prints nothing more.
+    if (others.length > 0) {
+      fetch("./report", { method: "POST", body: JSON.stringify(others) }).catch(() => {});
+    }
+  });
 }
 
 start().catch(() => {

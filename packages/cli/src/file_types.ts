@@ -23,9 +23,12 @@ const marks: readonly (readonly [string, number, string])[] = [
 
 const archives: typeof marks = [
   ["application/zip", 0, "PK\x03\x04"],
+  ["application/zip", 0, "PK\x05\x06"],
   ["application/vnd.rar", 0, "Rar!\x1a\x07"],
   ["application/x-7z-compressed", 0, "7z\xbc\xaf\x27\x1c"],
   ["application/x-tar", 257, "ustar"],
+  ["application/gzip", 0, "\x1f\x8b\x08"],
+  ["application/zstd", 0, "\x28\xb5\x2f\xfd"],
 ];
 
 /** A Kindle book: the type of its database, after its name, its dates and the like. */
@@ -47,6 +50,12 @@ const rejected: readonly (readonly [(words: string) => boolean, string])[] = [
   [
     (words) => /^<(!doctype html|html|\?xml|!--|head|body)/i.test(words),
     "is a web page, not a book",
+  ],
+  [(words) => words.startsWith("\xfd7zXZ\0"), "is packed by XZ, which is not unpacked here"],
+  [(words) => /^BZh\d1AY&SY/.test(words), "is packed by bzip2, which is not unpacked here"],
+  [
+    (words) => /^\0{512,}$/.test(words),
+    "has no pages but only zeros, as an empty tar or a file that was not fetched whole",
   ],
   [(words) => json.test(words), "is JSON (a IIIF manifest is opened by its address)"],
 ];

@@ -11,12 +11,12 @@ export class UsageProblem extends Error {
 export const unprintable: RegExp = /[\p{Cc}\u200e\u200f\u202a-\u202e\u2066-\u2069\ufeff]+/gu;
 
 /**
- * Returns a name from outside, such as a file's or a title, made safe for a
- * terminal and no longer than 200 characters.
+ * Returns a text from outside, such as a file's name or a title, made safe for a
+ * terminal and no longer than so many characters.
  */
-export function printable(text: string): string {
+export function printable(text: string, most = 200): string {
   const line = [...text.replace(unprintable, " ").trim()];
-  return line.length <= 200 ? line.join("") : `${line.slice(0, 199).join("")}…`;
+  return line.length <= most ? line.join("") : `${line.slice(0, most - 1).join("")}…`;
 }
 
 /** Returns the sentence for an error of the file system at `path`, where it was read or written. */

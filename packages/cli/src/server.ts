@@ -27,17 +27,26 @@ export interface Serving {
   close(): Promise<void>;
 }
 
+/** Takes what a page that is served reports. */
+export type TakeReport = (report: string) => void;
+
+/** Where pages report, and the maximum of bytes of a report. */
+const reportPath = "/report";
+const mostReported = 1 << 20;
+
 /**
  * Serves `files`, each at the exact path that is its key, to this machine only.
  *
  * @param port undefined for the default one or the next that is free; 0 for any
  * @param policy directives of the pages' Content-Security-Policy
+ * @param report takes what served pages send to `/report`; without it nothing is taken
  * @throws Problem if the port is not available
  */
 export async function serve(
   files: ReadonlyMap<string, ServedFile>,
   port: number | undefined,
   policy: readonly string[] = readerPolicy,
+  report?: TakeReport,
 ): Promise<Serving> {
   const all = {
     ...headers,
@@ -53,7 +62,7 @@ export async function serve(
   const hosts = new Set([`${loopback}:${actual}`, `localhost:${actual}`]);
   server.on("request", (request, response) => {
     for (const [name, value] of Object.entries(all)) response.setHeader(name, value);
-    respond(files, hosts, request, response).catch(() => response.destroy());
+    respond(files, hosts, report, request, response).catch(() => response.destroy());
   });
   return {
     url: `http://${loopback}:${actual}/`,
@@ -68,12 +77,17 @@ export async function serve(
 async function respond(
   files: ReadonlyMap<string, ServedFile>,
   hosts: ReadonlySet<string>,
+  report: TakeReport | undefined,
   request: IncomingMessage,
   response: ServerResponse,
 ): Promise<void> {
   // Another name that resolves here (DNS rebinding) would let a web page read the book.
   if (!hosts.has(request.headers.host?.toLowerCase() ?? "")) {
     sendError(response, 403, "This address is not served.");
+    return;
+  }
+  if (request.method === "POST" && request.url === reportPath && report) {
+    await takeReport(report, request, response);
     return;
   }
   if (request.method !== "GET" && request.method !== "HEAD") {
@@ -85,6 +99,30 @@ async function respond(
   const file = files.get(request.url?.split("?", 1)[0] ?? "");
   if (file) await sendFile(file, request, response);
   else sendError(response, 404, "There is nothing here.");
+}
+
+/** Takes a report of a page that is served here: other sites may send one as well, under their own name. */
+async function takeReport(
+  take: TakeReport,
+  request: IncomingMessage,
+  response: ServerResponse,
+): Promise<void> {
+  if (request.headers.origin !== `http://${request.headers.host}`) {
+    sendError(response, 403, "Only pages of this address report here.");
+    return;
+  }
+  const parts: Buffer[] = [];
+  let length = 0;
+  for await (const part of request as AsyncIterable<Buffer>) {
+    length += part.length;
+    if (length > mostReported) {
+      sendError(response, 413, "This report is too long.");
+      return;
+    }
+    parts.push(part);
+  }
+  take(Buffer.concat(parts).toString());
+  response.writeHead(204).end();
 }
 
 function sendError(response: ServerResponse, status: number, sentence: string): void {

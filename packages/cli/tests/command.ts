@@ -138,7 +138,7 @@ export interface Reply {
 export function ask(
   port: number,
   path: string,
-  options: { method?: string; headers?: Record<string, string> } = {},
+  options: { method?: string; headers?: Record<string, string>; body?: string } = {},
 ): Promise<Reply> {
   return new Promise((resolve, reject) => {
     const headers = { Host: `127.0.0.1:${port}`, ...options.headers };
@@ -155,7 +155,7 @@ export function ask(
       },
     );
     sent.on("error", reject);
-    sent.end();
+    sent.end(options.body);
   });
 }
 

@@ -10,10 +10,15 @@ const tarStart = Buffer.from(tar({ "a.pdf": "%PDF-" })).toString("latin1", 0, 10
 /** The first bytes of files of each kind (latin-1), and the type as which the command serves them. */
 const kinds: Readonly<Record<Exclude<Kind, "image">, readonly [string | undefined, string[]]>> = {
   pdf: ["application/pdf", ["%PDF-1.7\n", `${"\0".repeat(1024)}%PDF-1.4`]],
-  zip: ["application/zip", ["PK\x03\x04\x14\0"]],
+  zip: ["application/zip", ["PK\x03\x04\x14\0", "PK\x05\x06\0\0"]],
   rar: ["application/vnd.rar", ["Rar!\x1a\x07\x01\0"]],
   "7z": ["application/x-7z-compressed", ["7z\xbc\xaf\x27\x1c\0\x04"]],
   tar: ["application/x-tar", [tarStart]],
+  gzip: ["application/gzip", ["\x1f\x8b\x08\0"]],
+  zstd: ["application/zstd", ["\x28\xb5\x2f\xfd\0"]],
+  xz: [undefined, ["\xfd7zXZ\0\0"]],
+  bzip2: [undefined, ["BZh11AY&SY\0", "BZh91AY&SY\0"]],
+  zeros: [undefined, ["\0".repeat(1024)]],
   kindle: ["application/x-mobipocket-ebook", [`${"a".padEnd(60, "\0")}BOOKMOBI`]],
   palmdoc: [undefined, [`${"a".padEnd(60, "\0")}TEXtREAd`]],
   fb2: [

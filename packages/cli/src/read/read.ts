@@ -2,11 +2,16 @@ import { readFile } from "node:fs/promises";
 import { appFiles } from "../app_files.ts";
 import type { ReadCommand } from "../arguments.ts";
 import type { ServedFile } from "../book.ts";
-import { Problem } from "../problem.ts";
+import { Problem, printable } from "../problem.ts";
 import { onlinePolicy, readerPolicy } from "../reader_policy.ts";
 import { type ServedSite, serveUntilStopped } from "../serve_until_stopped.ts";
+import type { TakeReport } from "../server.ts";
+import { Warnings } from "../warnings.ts";
 import { type NamedBook, NamedBooks } from "./open_named.ts";
 import { shelfBody } from "./shelf_body.ts";
+
+/** Characters of a sentence that are printed. */
+const longestSentence = 500;
 
 /**
  * Serves books with the reader until `signal` aborts: one in the whole window,
@@ -44,9 +49,36 @@ async function siteOf(books: readonly NamedBook[]): Promise<ServedSite> {
   const what = isShelf ? `${books.length} books` : books[0]?.title;
   return {
     files,
+    report: printWarnings(),
     policy: books.some(({ isOnline }) => isOnline) ? onlinePolicy : readerPolicy,
     announce: (url) => `Turnleaf is reading ${what} at ${url}`,
   };
+}
+
+/** Sentences of books that are remembered, so that each is printed once: more than are printed. */
+const mostRemembered = 10_000;
+
+/** Returns what prints the sentences of what books drop, as the reader finds them, each once. */
+function printWarnings(): TakeReport {
+  const known = new Set<string>();
+  const warnings = new Warnings();
+  return (report) => {
+    for (const sentence of sentencesIn(report)) {
+      if (known.has(sentence) || known.size === mostRemembered) continue;
+      known.add(sentence);
+      warnings.add(printable(sentence, longestSentence));
+    }
+  };
+}
+
+/** Returns the sentences that a page reports as JSON; none if it is anything else. */
+function sentencesIn(report: string): string[] {
+  try {
+    const value: unknown = JSON.parse(report);
+    return Array.isArray(value) ? value.filter((one) => typeof one === "string") : [];
+  } catch {
+    return [];
+  }
 }
 
 /** Returns a book whose files are below an address, so that those of several do not meet. */

@@ -5,15 +5,16 @@
  */
 
 import type { Archive } from "./archive/archive.ts";
-import { type BookFile, bytesOf, type WholeFile } from "./book_file.ts";
+import { type BookFile, bytesOf, fileIn, type WholeFile } from "./book_file.ts";
 import { isEpub } from "./epub/epub_names.ts";
+import { sizeFromHeader, typedImage } from "./image_header.ts";
 import { limits } from "./limits.ts";
 import { loadPart } from "./load_part.ts";
-import { type ImageBook, parseManifest } from "./manifest.ts";
+import { type ImageBook, type ImagePage, parseManifest } from "./manifest.ts";
 import { isRecord } from "./manifest_checks.ts";
 import { BookError, type PageSource, type Typography } from "./page_source.ts";
 import type { PdfOptions } from "./pdf.ts";
-import { type Kind, sniff } from "./sniff.ts";
+import { type Kind, rareImageType, sniff } from "./sniff.ts";
 
 /** The settings that a format may need. */
 export interface FormatOptions extends PdfOptions {
@@ -31,7 +32,14 @@ const formats: Readonly<Partial<Record<Kind, Open>>> = {
     const { openPdf } = await loadPart(import("./pdf.ts"));
     return await openPdf({ name, from, ...(length === undefined ? {} : { length }) }, options);
   },
-  image: ({ name, from }) => openImages(imageAlone(from, name)),
+  image: async (file, { signal }) => {
+    const { blob } = await file.whole(limits.imageBytes, signal);
+    const pages = await pagesOfImage(file, blob);
+    const { name } = file;
+    return await openImages({
+      ...{ name, title: name, language: "", direction: "ltr", kind: "scan", pages, file: blob },
+    });
+  },
   json: async (file, options) => {
     const whole = await file.whole(limits.manifestBytes, options.signal);
     const value = await parseJson(whole, file.name);
@@ -59,6 +67,8 @@ const formats: Readonly<Partial<Record<Kind, Open>>> = {
   },
   rar: openUnpacked,
   "7z": openUnpacked,
+  gzip: openPacked,
+  zstd: openPacked,
   kindle: async (file, { signal, typography }) => {
     const { blob } = await file.whole(limits.archiveBytes, signal);
     const { openKindle } = await loadPart(import("./kindle/kindle.ts"));
@@ -70,6 +80,32 @@ const formats: Readonly<Partial<Record<Kind, Open>>> = {
     return await openFb2(blob, file.name, typography);
   },
 };
+
+/** Returns the pages of an image: of a TIFF there may be several. */
+async function pagesOfImage(file: BookFile, image: Blob): Promise<readonly ImagePage[]> {
+  const { name, from, start } = file;
+  if (rareImageType(start) === "image/tiff") {
+    const { pagesOfTiff } = await loadPart(import("./rare_images/tiff_pages.ts"));
+    const pages = await pagesOfTiff(image);
+    if (pages.length > 1) return pages.map(({ image, size }) => ({ src: image, size }));
+  }
+  if (from instanceof Blob) return [{ src: image }];
+  const size = await sizeFromHeader(await typedImage(image));
+  return [{ src: { name, read: async () => image }, ...(size ? { size } : {}) }];
+}
+
+/** Opens a book that is packed by itself, as the tar of a comic may be. */
+async function openPacked(file: BookFile, options: FormatOptions): Promise<PageSource> {
+  const { blob } = await file.whole(limits.archiveBytes, options.signal);
+  const { unpackedFile } = await loadPart(import("./archive/packed_file.ts"));
+  const kind = sniff(file);
+  const inner = await fileIn(await unpackedFile(blob, kind, file.name), file.name);
+  if (formats[sniff(inner)] !== openPacked) return await openFile(inner, options);
+  throw new BookError(`${file.name} is packed several times over; unpack it first.`, {
+    code: "unsupported",
+    source: file.name,
+  });
+}
 
 /** Opens a book in an archive of RAR or 7-Zip. */
 async function openUnpacked(file: BookFile, options: FormatOptions): Promise<PageSource> {
@@ -174,8 +210,8 @@ export async function openFile(file: BookFile, options: FormatOptions): Promise<
 
 /** Opens a book of images. */
 export async function openImages(book: ImageBook): Promise<PageSource> {
-  const { ImageSource } = await loadPart(import("./images.ts"));
-  return new ImageSource(book);
+  const { openImageBook } = await loadPart(import("./images.ts"));
+  return await openImageBook(book);
 }
 
 const readable =
@@ -184,11 +220,10 @@ const readable =
 const reasons: Readonly<Partial<Record<Kind, string>>> = {
   html: "is a web page, not a book",
   palmdoc: "is a text of a Palm (PalmDOC), which is not read",
+  xz: "is packed by XZ, which is not unpacked here",
+  bzip2: "is packed by bzip2, which is not unpacked here",
+  zeros: "has no pages but only zeros, as an empty tar or a file that was not fetched whole",
 };
-
-function imageAlone(src: string | Blob, name: string): ImageBook {
-  return { name, title: name, language: "", direction: "ltr", kind: "scan", pages: [{ src }] };
-}
 
 /**
  * Returns whether JSON is of IIIF, by the context that it names: version 1 of Presentation had that of

@@ -1,7 +1,7 @@
 import { nameOfUrl } from "./book_text.ts";
 import { cropImage } from "./crop_image.ts";
 import { fetchChecked, readBounded } from "./fetch_bytes.ts";
-import { claimedSize, kindOfFile, sizeFromHeader } from "./image_header.ts";
+import { claimedSize, kindOfFile, sizeFromHeader, typedImage } from "./image_header.ts";
 import { fitPixels, isPageSize, limits, wholePage } from "./limits.ts";
 import { loadPart } from "./load_part.ts";
 import type { ImageBook, ImagePage, StoredImage } from "./manifest.ts";
@@ -19,8 +19,9 @@ import {
 import { SharedTasks } from "./shared_tasks.ts";
 import { showableImage } from "./showable_image.ts";
 import { shownImage } from "./shown_image.ts";
+import { withStrips } from "./strip_pages.ts";
 import type { Cut, StripPage } from "./strips.ts";
-import { joinedWarnings, lostLines } from "./warnings.ts";
+import { lostLines, WarningList } from "./warnings.ts";
 
 /** Encoded images kept, so that drawing a page sharper does not fetch it again. */
 const keptImages = 6;
@@ -36,7 +37,6 @@ export class ImageSource implements PageSource {
   readonly direction: "ltr" | "rtl";
   readonly kind: "typeset" | "scan";
   readonly pageCount: number;
-  readonly warnings: readonly BookWarning[];
   /** The archive of the images, or a single image. */
   readonly file?: () => Promise<Blob>;
   readonly #book: ImageBook;
@@ -46,6 +46,7 @@ export class ImageSource implements PageSource {
   readonly #fetching = new SharedTasks<ImagePage["src"], Blob>();
   /** Where strips are cut. */
   readonly #cuts = new Map<ImagePage["src"], readonly Cut[]>();
+  readonly #warnings = new WarningList();
   #closed = false;
 
   constructor(book: ImageBook) {
@@ -56,10 +57,18 @@ export class ImageSource implements PageSource {
     this.pageCount = book.pages.length;
     this.#book = book;
     this.#sizes = book.pages.map((page) => page.size);
-    this.warnings = joinedWarnings(book.warnings ?? [], lostLines(book.outline ?? [], book.name));
+    this.#warnings.add(...(book.warnings ?? []), ...lostLines(book.outline ?? [], book.name));
     const { file } = book;
     if (file) this.file = () => Promise.resolve(file);
     else if (this.pageCount === 1) this.file = () => this.#image(0);
+  }
+
+  get warnings(): readonly BookWarning[] {
+    return this.#warnings.all;
+  }
+
+  watchWarnings(listener: () => void): void {
+    this.#warnings.watch(listener);
   }
 
   async size(index: number, signal?: AbortSignal): Promise<PageSize> {
@@ -273,9 +282,19 @@ export class ImageSource implements PageSource {
     }
   }
 
-  #showable(index: number, image: Blob): Promise<Blob> {
+  async #showable(index: number, image: Blob): Promise<Blob> {
     const about = { page: index + 1, source: this.#book.name };
-    return showableImage(image, this.#place(index), about);
+    const typed = await typedImage(image);
+    if (typed.type === "image/tiff") await this.#checkOnePage(index, typed);
+    return await showableImage(typed, this.#place(index), about);
+  }
+
+  /** Lists a TIFF of several pages, of which one is shown, as its book has one for it. */
+  async #checkOnePage(index: number, image: Blob): Promise<void> {
+    const { pagesOfTiff } = await loadPart(import("./rare_images/tiff_pages.ts"));
+    const { length } = await pagesOfTiff(image);
+    const message = `${this.#place(index)} is a TIFF of ${length} pages, of which only the first is shown.`;
+    if (length > 1) this.#warnings.add({ code: "image", message, page: index + 1 });
   }
 
   #misplacedPdf(index: number): BookError {
@@ -304,6 +323,11 @@ export class ImageSource implements PageSource {
     const suffix = file === "this book" ? "" : ` (${file})`;
     return `Page ${index + 1} of ${this.#book.name}${suffix}`;
   }
+}
+
+/** Opens a book of images, of which those that are strips take several pages. */
+export async function openImageBook(book: ImageBook): Promise<PageSource> {
+  return new ImageSource(await withStrips(book));
 }
 
 /** Returns the name of an image's file in sentences. */

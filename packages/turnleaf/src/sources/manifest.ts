@@ -111,7 +111,7 @@ export interface Manifest {
   readonly pages: readonly ManifestPage[];
 }
 
-const dataImage = /^data:image\/(png|jpeg|webp|avif|gif|svg\+xml)[;,]/i;
+const dataImage = /^data:image\/[\w.+-]+[;,]/i;
 
 /**
  * Checks a manifest, which may come from anyone. A list alone stands for its
@@ -190,11 +190,7 @@ function resolveImage(src: string, base: string, place: string): string {
   }
   if (isData) {
     if (dataImage.test(src.trim())) return src.trim();
-    throw fault(
-      place,
-      "holds data that is no PNG, JPEG, WebP, AVIF, GIF or SVG",
-      "use one of these",
-    );
+    throw fault(place, "holds data that is no image", "write data:image/png or the like");
   }
   const url = parseUrl(src, base);
   if (url === null)

@@ -2,6 +2,7 @@ import { fileAt, fileIn } from "./book_file.ts";
 import { cleanText, nameOfUrl } from "./book_text.ts";
 import { openFile, openImages, prepareFor } from "./formats.ts";
 import { handedOut } from "./handed_out.ts";
+import { typedImage } from "./image_header.ts";
 import { type Bytes, blobOf, elementsOf, filesOf, wrongKind } from "./input_values.ts";
 import { loadPart } from "./load_part.ts";
 import { type Manifest, type ManifestPage, parseManifest } from "./manifest.ts";
@@ -59,8 +60,26 @@ export async function openSource(input: BookInput, options: OpenOptions = {}): P
   if (files?.length === 0)
     throw new BookError("No file was chosen; choose one.", { code: "empty" });
   if (!Array.isArray(files ?? input) && !isManifest(input)) throw wrongKind(input);
-  const manifest = parseManifest(files ?? input, baseOf(options), options.name ?? "This book");
+  const pages = files ?? input;
+  const list = Array.isArray(pages) ? await withPagesOfTiffs(pages) : pages;
+  const manifest = parseManifest(list, baseOf(options), options.name ?? "This book");
   return await openImages(manifest);
+}
+
+/** Returns a list of pages with each page of a TIFF in it that is at hand. */
+async function withPagesOfTiffs(list: readonly unknown[]): Promise<unknown[]> {
+  const found: unknown[] = [];
+  for (const page of list) {
+    const image = blobOf(page);
+    const typed = image && (await typedImage(image).catch(() => null));
+    if (typed?.type !== "image/tiff") found.push(page);
+    else {
+      const { pagesOfTiff } = await loadPart(import("./rare_images/tiff_pages.ts"));
+      const pages = (await pagesOfTiff(typed)).map((one) => one.image);
+      found.push(...(pages.length > 1 ? pages : [page]));
+    }
+  }
+  return found;
 }
 
 /** As `openSource`, for a program, which may put a Proxy around what it gets. */

@@ -10,6 +10,11 @@ export type Kind =
   | "rar"
   | "7z"
   | "tar"
+  | "gzip"
+  | "zstd"
+  | "xz"
+  | "bzip2"
+  | "zeros"
   | "kindle"
   | "palmdoc"
   | "fb2"
@@ -73,9 +78,18 @@ export function unshownFormat(type: string): string | undefined {
 /** A BMP: its mark is short, so that the four bytes which it leaves empty are asked too. */
 const isBmp = (text: string): boolean => text.startsWith("BM") && text.startsWith("\0\0\0\0", 6);
 
-const zip = "PK\x03\x04";
-const rar = "Rar!\x1a\x07";
-const sevenZip = "7z\xbc\xaf\x27\x1c";
+/** Archives, and files that are packed each by itself. A ZIP of no files has an end alone. */
+const packed: readonly (readonly [kind: Kind, mark: string])[] = [
+  ["zip", "PK\x03\x04"],
+  ["zip", "PK\x05\x06"],
+  ["rar", "Rar!\x1a\x07"],
+  ["7z", "7z\xbc\xaf\x27\x1c"],
+  ["gzip", "\x1f\x8b\x08"],
+  ["zstd", "\x28\xb5\x2f\xfd"],
+  ["xz", "\xfd7zXZ\0"],
+  // A digit between says how much was packed at a time.
+  ...Array.from({ length: 9 }, (_, k) => ["bzip2", `BZh${k + 1}1AY&SY`] as const),
+];
 
 /** Types of Palm databases, after the name, the dates and the like. */
 const palmTypeAt = 60;
@@ -96,9 +110,8 @@ export function sniff({ start, type }: FileStart): Kind {
   // Before what may be within its first file.
   if (readTarHeader(start)) return "tar";
   if (text.includes(pdfMark)) return "pdf";
-  if (text.startsWith(zip)) return "zip";
-  if (text.startsWith(rar)) return "rar";
-  if (text.startsWith(sevenZip)) return "7z";
+  const archive = packed.find(([, mark]) => text.startsWith(mark));
+  if (archive) return archive[0];
   if (text.startsWith(kindle, palmTypeAt)) return "kindle";
   if (text.startsWith(palmDoc, palmTypeAt)) return "palmdoc";
   const words = wordsOf(text);
@@ -109,7 +122,8 @@ export function sniff({ start, type }: FileStart): Kind {
     if (/^(\{|\[\s*["{\]])/.test(words)) return "json";
     if (/^<(!doctype html|html|\?xml|!--|head|body)/i.test(words)) return "html";
   }
-  return isText(start, type) ? "text" : "unknown";
+  if (isText(start, type)) return "text";
+  return /^\0{512,}$/.test(text) ? "zeros" : "unknown";
 }
 
 /** Returns whether the first bytes of a file, as latin-1, are those of a FictionBook, in UTF-16 too. */

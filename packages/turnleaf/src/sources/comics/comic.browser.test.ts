@@ -44,6 +44,25 @@ async function colour(source: PageSource, index: number): Promise<string> {
   return red > 200 ? "red" : blue > 200 ? "blue" : "both";
 }
 
+/** Why an archive that has files has no pages. */
+const none = "no file in it is a book or an image";
+
+/** Returns bytes as Zstandard has those that it does not pack: in blocks as they are. */
+function zstdOf(bytes: Uint8Array): Uint8Array<ArrayBuffer> {
+  const most = 1 << 17;
+  // A frame of one segment that says its length in four bytes.
+  const out = [0x28, 0xb5, 0x2f, 0xfd, 0xa0, ...littleEndian(bytes.length, 4)];
+  for (let at = 0; at < bytes.length; at += most) {
+    const part = bytes.subarray(at, at + most);
+    const isLast = at + most >= bytes.length;
+    out.push(...littleEndian(part.length * 8 + (isLast ? 1 : 0), 3), ...part);
+  }
+  return Uint8Array.from(out);
+}
+
+const littleEndian = (value: number, length: number): number[] =>
+  Array.from({ length }, (_, k) => (value >> (8 * k)) & 0xff);
+
 const places = (source: PageSource) =>
   Array.from({ length: source.pageCount }, (_, index) => source.inSpread?.(index));
 
@@ -108,14 +127,14 @@ test.each([
 
 test("an archive without images, and an EPUB, are rejected in a sentence", async () => {
   expect(await messageOf(comic({ "a.txt": "a" }))).toBe(
-    "Hero 1.cbz is an archive with no book in it; open another.",
+    "Hero 1.cbz has no pages: no file in it is a book or an image; open another.",
   );
 });
 
 test("an archive within an archive is not opened", async () => {
   const inner = zipSync({ "1.png": await scan(4, 6) });
   expect(await messageOf(comic({ "inner.zip": inner, "inner.cbz": inner }))).toBe(
-    "Hero 1.cbz is an archive with no book in it; open another.",
+    "Hero 1.cbz has no pages: no file in it is a book or an image; open another.",
   );
   const source = await comic({ "1.png": await scan(4, 6), "inner.cbz": inner });
   expect(source.pageCount).toBe(1);
@@ -172,7 +191,7 @@ test.each(packers)("%s is a comic as one in a ZIP is", async (name, pack) => {
 
 test.each(packers)("%s without images, or with a page that is damaged", async (name, pack) => {
   expect(await messageOf(comic({ "a.txt": "a" }, pack, name))).toBe(
-    `${name} is an archive with no book in it; open another.`,
+    `${name} has no pages: no file in it is a book or an image; open another.`,
   );
   const page = await scan(40, 60);
   const source = await comic({ "1.png": page, "2.png": page.slice(0, 60) }, pack, name);
@@ -247,4 +266,63 @@ test("what is packed with a comic's pages and is none is listed, a damaged page 
     ["page", "2.jpg", 2],
   ]);
   expect(await messageOf(source.draw(2, 10, never))).toContain("(3.tif) is a TIFF");
+});
+
+test.each([
+  ["a ZIP", zip({}), "it is empty"],
+  ["a ZIP of metadata", zip({ "ComicInfo.xml": strToU8("<ComicInfo/>") }), none],
+  ["a tar of metadata", tar({ "ComicInfo.xml": strToU8("<ComicInfo/>") }), none],
+  ["a RAR", rar5({}), "it is empty"],
+  ["an old RAR", rar4({}), "it is empty"],
+  // Its header, the sum of that, and no list of files behind it.
+  [
+    "a 7-Zip",
+    Uint8Array.of(
+      ...[0x37, 0x7a, 0xbc, 0xaf, 0x27, 0x1c, 0, 4],
+      ...[0x8d, 0x9b, 0xd5, 0x0f, ...Array.from({ length: 20 }, () => 0)],
+    ),
+    "it is empty",
+  ],
+  ["an EPUB", zip({ mimetype: strToU8("application/epub+zip") }), none],
+])("%s without pages is said to have none", async (_, bytes, reason) => {
+  expect(await messageOf(openSource(new File([bytes as Uint8Array<ArrayBuffer>], "x")))).toBe(
+    `x has no pages: ${reason}; open another.`,
+  );
+});
+
+test("an empty tar is said to be one", async () => {
+  expect(await messageOf(openSource(new File([new Uint8Array(1024)], "x.cbt")))).toMatch(
+    /^x\.cbt has no pages but only zeros, as an empty tar or a file that was not fetched whole; /,
+  );
+});
+
+test.each(["gzip", "zstd"])("a tar that is packed by %s is a comic", async (packing) => {
+  const bytes = tar({ "1.png": await scan(4, 6), "2.png": await scan(4, 6) });
+  const packed =
+    packing === "zstd"
+      ? zstdOf(bytes)
+      : await new Response(
+          new Blob([bytes]).stream().pipeThrough(new CompressionStream("gzip")),
+        ).blob();
+  const source = await openSource(new File([packed], "Hero 1.cbt"));
+  expect([source.pageCount, source.title]).toEqual([2, "Hero 1"]);
+});
+
+test("what is packed otherwise, or damaged, says so", async () => {
+  const message = (bytes: BlobPart) => messageOf(openSource(new File([bytes], "x.cbt")));
+  expect(await message(Uint8Array.of(0x1f, 0x8b, 8, 0, 1))).toBe(
+    "x.cbt is damaged: it cannot be unpacked; get it again.",
+  );
+  const gzip = async (part: BlobPart) =>
+    await new Response(new Blob([part]).stream().pipeThrough(new CompressionStream("gzip"))).blob();
+  expect(await message(await gzip(await gzip("text")))).toBe(
+    "x.cbt is packed several times over; unpack it first.",
+  );
+  expect(await message((await gzip("text ".repeat(99))).slice(0, 15))).toBe(
+    "x.cbt is damaged: it cannot be unpacked; get it again.",
+  );
+  expect(await message(Uint8Array.of(0xfd, 0x37, 0x7a, 0x58, 0x5a, 0, 0, 4))).toMatch(
+    /^x\.cbt is packed by XZ, which is not unpacked here; /,
+  );
+  expect(await message("BZh91AY&SY\x01")).toMatch(/^x\.cbt is packed by bzip2, /);
 });

@@ -5,10 +5,11 @@ import { cleanText } from "../book_text.ts";
 import { claimedSize, sizeFromHeader, typedImage } from "../image_header.ts";
 import { ImageSource } from "../images.ts";
 import { limits } from "../limits.ts";
+import { loadPart } from "../load_part.ts";
 import type { ImagePage, StoredImage } from "../manifest.ts";
 import { BookError, type OutlineEntry, type PageSize, type PageSource } from "../page_source.ts";
 import { imageType, rareImageType, sniffLength } from "../sniff.ts";
-import { countOfStrip, pagesOfStrip } from "../strips.ts";
+import { formatOf, type PageFormat, stripPages } from "../strip_pages.ts";
 import { WarningList, warningOf } from "../warnings.ts";
 import { decodeXml } from "../xml_text.ts";
 import { type ComicInfo, noInfo, readComicInfo } from "./comic_info.ts";
@@ -41,12 +42,6 @@ const infoBytes = 4_000_000;
  */
 const [leastDouble, mostDouble] = [1.6, 2.5];
 
-/** The proportions of a page of a comic that is printed, where a comic has no pages: some 170 by 255 mm. */
-const printedRatio = 2 / 3;
-
-/** A scan is a strip that is scrolled if, whole on a page of the book, it is less wide than so much of it. */
-const leastWidth = 1 / 2;
-
 /**
  * Returns the book that an archive of images is. It closes the archive. Rejects
  * with a `BookError` if there are no images in it.
@@ -59,22 +54,19 @@ export async function openComic(archive: Archive, file: Blob, name: string): Pro
     const warnings = new WarningList();
     const files = await pagesIn(archive, (path) => warnings.add(warningOf("page", path, name)));
     if (files.length === 0) {
-      throw new BookError(`${name} is an archive with no book in it; open another.`, {
+      const reason =
+        archive.names.length === 0 ? "it is empty" : "no file in it is a book or an image";
+      throw new BookError(`${name} has no pages: ${reason}; open another.`, {
         code: "empty",
         source: name,
       });
     }
-    if (files.length > limits.pages) {
-      throw new BookError(
-        `${name} has ${files.length} images; split it into books of at most ${limits.pages}.`,
-        { code: "tooLarge", source: name },
-      );
-    }
+    checkCount(files.length, name);
     const info = await readInfo(archive, (path) => {
       warnings.add(warningOf("contents", path, name));
     });
-    const scans = coverFirst(await measureAll(archive, files, info));
-    const format = formatOf(scans);
+    const scans = coverFirst(await measureAll(archive, files, info, name));
+    const format = formatOf(scans.map(({ size }) => size));
     const pages: Page[] = [];
     // What a strip claims to be is not known to be true.
     for (const scan of scans) {
@@ -106,6 +98,15 @@ export async function openComic(archive: Archive, file: Blob, name: string): Pro
     archive.close();
     throw error;
   }
+}
+
+/** Throws a `BookError` if a comic has too many images. */
+function checkCount(count: number, name: string): void {
+  if (count <= limits.pages) return;
+  throw new BookError(
+    `${name} has ${count} images; split it into books of at most ${limits.pages}.`,
+    { code: "tooLarge", source: name },
+  );
 }
 
 /**
@@ -183,32 +184,57 @@ async function measureAll(
   archive: Archive,
   files: readonly string[],
   info: ComicInfo,
+  name: string,
 ): Promise<Scan[]> {
-  const scans: Scan[] = [];
+  const found: (readonly Scan[])[] = [];
+  let count = 0;
   const waiting = files.keys();
   const work = async (): Promise<void> => {
     for (const index of waiting) {
       const path = files[index] as string;
       const page = info.pages.get(index);
       if (page?.deleted) continue;
-      const image: StoredImage = {
-        name: cleanText(path, 80),
-        read: async () => new Blob([await archive.read(path, limits.imageBytes)]),
-      };
-      const start = await startOf(archive, path);
-      scans[index] = {
-        path,
-        image,
-        isDamaged: start === null || start.type === "",
-        size: start && start.type !== "" ? await sizeOf(start, archive, path) : null,
-        double: page?.double ?? null,
-        bookmark: page?.bookmark ?? "",
-        isCover: false,
-      };
+      const about = { double: page?.double ?? null, bookmark: page?.bookmark ?? "" };
+      const scans = await measureFile(archive, path, about);
+      found[index] = scans;
+      count += scans.length;
+      checkCount(count, name);
     }
   };
   await Promise.all(Array.from({ length: atOnce }, work));
-  return scans.filter((scan) => scan !== undefined);
+  return found.flat();
+}
+
+/**
+ * Returns the images of a file: one, or each page of a TIFF.
+ *
+ * @param about what is known of the first
+ */
+async function measureFile(
+  archive: Archive,
+  path: string,
+  about: Pick<Scan, "double" | "bookmark">,
+): Promise<Scan[]> {
+  const whole = async (): Promise<Blob> => new Blob([await archive.read(path, limits.imageBytes)]);
+  const start = await startOf(archive, path);
+  const isDamaged = start === null || start.type === "";
+  const name = cleanText(path, 80);
+  const first = { path, isDamaged, isCover: false, ...about };
+  if (start?.type === "image/tiff") {
+    const { pagesOfTiff } = await loadPart(import("../rare_images/tiff_pages.ts"));
+    const pages = await whole().then(pagesOfTiff, () => []);
+    if (pages.length > 1) {
+      return pages.map(({ size }, k) => {
+        const read = async (): Promise<Blob> => {
+          const file = await whole();
+          return (await pagesOfTiff(file))[k]?.image ?? file;
+        };
+        return { ...first, image: { name, read }, size, bookmark: k === 0 ? about.bookmark : "" };
+      });
+    }
+  }
+  const size = start && !isDamaged ? await sizeOf(start, archive, path) : null;
+  return [{ ...first, image: { name, read: whole }, size }];
 }
 
 /** Returns the start of an image, of its type, "" for none; null if it cannot be read. */
@@ -237,22 +263,6 @@ async function claimedBy(image: Blob): Promise<PageSize | null> {
   return (await sizeFromHeader(image)) ?? (await claimedSize(image));
 }
 
-/** What a comic's pages are. */
-interface Format {
-  /** Their usual proportions, width over height. */
-  readonly ratio: number;
-  /** Whether most scans are strips: then a wide one is a wide picture, and no spread. */
-  readonly isScrolled: boolean;
-}
-
-function formatOf(scans: readonly Scan[]): Format {
-  const ratios = scans.flatMap(({ size }) => (size ? [size.width / size.height] : []));
-  const paged = ratios.filter((ratio) => ratio >= printedRatio * leastWidth);
-  if (2 * paged.length < ratios.length) return { ratio: printedRatio, isScrolled: true };
-  const median = paged.sort((a, b) => a - b)[(paged.length - 1) >> 1];
-  return { ratio: median ?? printedRatio, isScrolled: false };
-}
-
 interface Page {
   readonly page: ImagePage;
   /** What is wrong with it, if anything is: its path. */
@@ -265,22 +275,13 @@ interface Page {
  *
  * @param most pages of a strip; one of more is shown whole
  */
-function pagesOf(
-  scan: Scan,
-  direction: "ltr" | "rtl",
-  { ratio: usual, isScrolled }: Format,
-  most: number,
-): Page[] {
+function pagesOf(scan: Scan, direction: "ltr" | "rtl", format: PageFormat, most: number): Page[] {
   const { image: src, size, bookmark } = scan;
-  const ratio = size ? size.width / size.height / usual : 1;
+  const ratio = size ? size.width / size.height / format.ratio : 1;
   const damaged = scan.isDamaged ? { damaged: scan.path } : {};
-  if (size && ratio < leastWidth && countOfStrip(size, 1 / usual) <= most) {
-    const page = { width: size.width, height: size.width / usual };
-    return pagesOfStrip(size, 1 / usual).map((strip, k) => {
-      return { page: { src, size: page, strip }, bookmark: k === 0 ? bookmark : "" };
-    });
-  }
-  const looksDouble = !isScrolled && ratio > leastDouble && ratio < mostDouble;
+  const strip = stripPages(src, size, format, most);
+  if (strip) return strip.map((page, k) => ({ page, bookmark: k === 0 ? bookmark : "" }));
+  const looksDouble = !format.isScrolled && ratio > leastDouble && ratio < mostDouble;
   const isDouble = scan.double === null ? looksDouble : scan.double && ratio > 1;
   if (!isDouble || scan.isCover) {
     return [{ page: { src, ...(size ? { size } : {}) }, bookmark, ...damaged }];

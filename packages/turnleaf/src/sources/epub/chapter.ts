@@ -1,10 +1,11 @@
 /** One chapter of an EPUB: its file, read and cleaned. */
 
+import { cleanText } from "../book_text.ts";
 import { isPageSize } from "../limits.ts";
 import { cleanMarkup } from "../markup/clean_markup.ts";
 import { parseMarkup } from "../markup/parse_markup.ts";
 import { readMarkup } from "../markup/read_markup.ts";
-import type { PageSize } from "../page_source.ts";
+import { BookError, type PageSize } from "../page_source.ts";
 import { type FlowContent, styleAttribute } from "../typeset/flow_book.ts";
 import { naturalSize } from "../typeset/natural_size.ts";
 import type { EpubFiles } from "./epub_files.ts";
@@ -29,6 +30,8 @@ export interface Chapter {
   readonly href: string;
   readonly mediaType: string;
   readonly isFixed: boolean;
+  /** Which page of its file it is, from 0, if it is a picture. */
+  readonly page?: number;
 }
 
 /**
@@ -40,11 +43,14 @@ export interface Chapter {
  */
 export async function loadChapter(
   files: EpubFiles,
-  { href, mediaType, isFixed }: Chapter,
+  { href, mediaType, isFixed, page = 0 }: Chapter,
   name: string,
   usual: PageSize | null = null,
 ): Promise<FlowContent> {
-  const document = await parseChapter(files, href, mediaType, isFixed);
+  const picture = pictureTypes.test(mediaType) ? await pictureOf(files, href, page, name) : null;
+  const document = picture
+    ? pictureDocument(picture.data, isFixed)
+    : await parseChapter(files, href, mediaType, isFixed);
   const named = isFixed ? namedSize(document) : null;
   const what = `A chapter of ${name}`;
   const framed = async (address: string): Promise<FlowContent | null> => {
@@ -60,24 +66,44 @@ export async function loadChapter(
   };
   const content = await cleanMarkup(document, { ...files.about(href), framed, plays }, what);
   if (!isFixed) return content;
-  const own = pictureTypes.test(mediaType) ? await pictureSize(content.root) : null;
-  const size = own ?? named ?? usual ?? (await naturalSize(content, usualSize));
+  const size = picture?.size ?? named ?? usual ?? (await naturalSize(content, usualSize));
   return { ...content, size: size ?? usualSize };
 }
 
-/** Returns the size of the picture that a chapter is, in its pixels; null if it cannot be read. */
-async function pictureSize(root: Element): Promise<PageSize | null> {
+/**
+ * Returns the picture that a chapter is, as `data:`, with its size in pixels, null if that is none of a page.
+ * Rejects with a `BookError` if it cannot be shown.
+ */
+async function pictureOf(
+  files: EpubFiles,
+  path: string,
+  page: number,
+  name: string,
+): Promise<{ readonly data: string; readonly size: PageSize | null }> {
+  const place = `${cleanText(path, 80)}, a chapter of ${name},`;
+  const data = await files.picture(path, page, place);
   const image = new Image();
-  image.src = root.querySelector("img")?.getAttribute("src") ?? "";
+  image.src = data ?? "";
   await image.decode().catch(() => {});
   const size = { width: image.naturalWidth, height: image.naturalHeight };
-  return isPageSize(size) ? size : null;
+  if (data !== null && size.width > 0) return { data, size: isPageSize(size) ? size : null };
+  throw new BookError(`${place} is damaged or no image; get the book again.`, {
+    code: "damaged",
+    source: path,
+  });
 }
 
 /** Returns whether the browser plays sounds or films of a media type. */
 function isPlayed(type: string): boolean {
   const [kind] = /^(?:audio|video)(?=\/)/.exec(type) ?? [];
   return kind !== undefined && document.createElement(kind as "audio").canPlayType(type) !== "";
+}
+
+/** Returns a chapter that is a picture. */
+function pictureDocument(data: string, isFixed: boolean): Document {
+  const style = isFixed ? `style="${pictureStyle}"` : "";
+  const picture = `<img src="${data}" alt="" ${style}/>`;
+  return parseMarkup(`<html><body>${picture}</body></html>`, "text/html");
 }
 
 /** Reads a chapter; one that breaks off says so. */
@@ -87,11 +113,6 @@ async function parseChapter(
   mediaType: string,
   isFixed: boolean,
 ): Promise<Document> {
-  if (pictureTypes.test(mediaType)) {
-    const style = isFixed ? `style="${pictureStyle}"` : "";
-    const picture = `<img src="${encodeURI(path.split("/").pop() ?? "")}" alt="" ${style}/>`;
-    return parseMarkup(`<html><body>${picture}</body></html>`, "text/html");
-  }
   const text = await files.text(path);
   const type = mediaType === "image/svg+xml" ? mediaType : "application/xhtml+xml";
   const { document, damagedLine } = await readMarkup(text, type);

@@ -34,6 +34,7 @@ import { warningOf } from "../warnings.ts";
 import { loadChapter, sizeIn } from "./chapter.ts";
 import { folderOfEpub, packageOf } from "./container.ts";
 import { EpubFiles } from "./epub_files.ts";
+import { dublinCore } from "./legacy_package.ts";
 import { NamedFiles } from "./named_files.ts";
 import { fontDecoder } from "./obfuscated_fonts.ts";
 import { checkPackage } from "./package_document.ts";
@@ -42,14 +43,14 @@ import { checkPackage } from "./package_document.ts";
 const readableTypes =
   /^(application\/(xhtml\+xml|x-dtbook\+xml)|text\/(html|x-oeb1-document)|image\/(svg\+xml|png|jpeg|gif|webp|avif))$/;
 
-/** The type of XML of any kind, which is read as a web page where there is nothing better. */
-const anyXml = "application/xml";
+/** Types that are read where there is nothing better: pictures that few browsers show, and XML of any kind as a web page. */
+const otherTypes = /^(image\/.+|application\/xml)$/;
+
+/** Types of pictures that may have several pages. */
+const pagedType = /^image\/(x-)?tiff?$/;
 
 /** Fallbacks of a chapter, each of another. */
 const mostFallbacks = 10;
-
-/** The namespace of titles and names in a package. */
-const dublinCore = "http://purl.org/dc/elements/1.1/";
 
 /** Names of authors that are shown. */
 const mostCreators = 20;
@@ -141,7 +142,7 @@ async function readEpub(archive: Archive, file: Blob, name: string): Promise<Flo
   const language = cleanLanguage([metadata.language].flat()[0]);
   const isOpen = epub.dir !== "ltr" && epub.dir !== "rtl";
   const direction = epub.dir === "rtl" || (isOpen && isRightToLeft(language)) ? "rtl" : "ltr";
-  const chapters = resources.spine
+  const listedChapters = resources.spine
     .slice(0, limits.pages)
     .flatMap(({ idref, linear, properties = [] }) => {
       const found = withFallbacks(manifest, idref);
@@ -157,6 +158,7 @@ async function readEpub(archive: Archive, file: Blob, name: string): Promise<Flo
       const side = isRoll ? undefined : sideOf(has, isFixed);
       return [{ ...item, missing, isFixed, isAside: linear === "no", side, flow }];
     });
+  const chapters = await withPagesOfPictures(listedChapters, files);
   // What is beside the way of reading comes last; but a cover before all of it is the first page.
   const start = Math.max(
     chapters.findIndex((one) => !one.isAside),
@@ -267,6 +269,21 @@ async function readEpub(archive: Archive, file: Blob, name: string): Promise<Flo
   };
 }
 
+/** Returns chapters with a chapter for each page of those that are TIFFs of several pages, at most `limits.pages`. */
+async function withPagesOfPictures<T extends Pick<ManifestItem, "href" | "mediaType">>(
+  chapters: readonly T[],
+  files: EpubFiles,
+): Promise<(T & { readonly page?: number })[]> {
+  const found: (T & { readonly page?: number })[] = [];
+  for (const chapter of chapters) {
+    const count = pagedType.test(chapter.mediaType) ? await files.pagesOf(chapter.href) : 1;
+    for (let page = 0; page < count && found.length < limits.pages; page++) {
+      found.push({ ...chapter, page });
+    }
+  }
+  return found;
+}
+
 /** The path of a container, and one that names a package. */
 const containerPath = "META-INF/container.xml";
 const containerOf = (path: string): string =>
@@ -327,7 +344,7 @@ function readableItem(items: readonly ManifestItem[]): ManifestItem | undefined 
   return (
     readable.find(needsNoScript) ??
     readable[0] ??
-    items.find(({ mediaType }) => mediaType === anyXml)
+    items.find(({ mediaType }) => otherTypes.test(mediaType))
   );
 }
 

@@ -3,9 +3,11 @@ import { FilePaths } from "../archive/file_paths.ts";
 import { dataUrl } from "../data_url.ts";
 import { fontType } from "../font_type.ts";
 import { limits } from "../limits.ts";
+import { loadPart } from "../load_part.ts";
 import { type CleanSheet, cleanCss, inMedia, lengthOf, readSheets } from "../markup/clean_css.ts";
 import type { MarkupFiles } from "../markup/clean_markup.ts";
 import { checkedData } from "../markup/data_address.ts";
+import type { TiffPage } from "../rare_images/tiff_pages.ts";
 import { pictureData } from "../showable_image.ts";
 import { decodeXml } from "../xml_text.ts";
 import { KeptValues } from "./kept_values.ts";
@@ -95,6 +97,32 @@ export class EpubFiles {
   /** Returns a file's media type as the manifest has it; "" if it is not listed. */
   typeOf(path: string): string {
     return this.#manifest.typeOf(path);
+  }
+
+  /**
+   * Returns how many pages the picture is that a chapter consists of: those of a TIFF, otherwise one.
+   * What cannot be read counts as one.
+   */
+  async pagesOf(path: string): Promise<number> {
+    return Math.max((await this.#tiffPages(path).catch(() => [])).length, 1);
+  }
+
+  /**
+   * Returns the picture that a chapter consists of, as `data:`; null if it is none. Rejects with a
+   * `BookError` if its format is not shown.
+   *
+   * @param page which page of its file it is, from 0
+   * @param place the picture in sentences
+   */
+  async picture(path: string, page: number, place: string): Promise<string | null> {
+    const image = (page > 0 ? await this.#tiffPages(path) : [])[page]?.image;
+    const whole = image ? await image.arrayBuffer() : this.#archive.read(path, limits.imageBytes);
+    return await pictureData(new Uint8Array(await whole), place);
+  }
+
+  async #tiffPages(path: string): Promise<readonly TiffPage[]> {
+    const { pagesOfTiff } = await loadPart(import("../rare_images/tiff_pages.ts"));
+    return await pagesOfTiff(new Blob([await this.#archive.read(path, limits.imageBytes)]));
   }
 
   #data(path: string): Promise<string | null> {

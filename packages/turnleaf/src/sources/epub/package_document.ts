@@ -2,6 +2,7 @@
 
 import { limits } from "../limits.ts";
 import { BookError } from "../page_source.ts";
+import { modernPackage } from "./legacy_package.ts";
 
 /** Elements of a package: foliate-js goes through the manifest for every line of the spine. */
 const mostElements = 50_000;
@@ -19,15 +20,15 @@ const chapterTypes = /^(application\/xhtml\+xml|text\/html|text\/x-oeb1-document
  * @param name the book's name in sentences
  */
 export function checkPackage(document: Document, name: string): Document {
-  const root = document.documentElement;
-  const most = root?.localName === "package" ? mostElements : limits.elements;
+  const most = document.documentElement?.localName === "package" ? mostElements : limits.elements;
   if (document.getElementsByTagName("*").length > most) {
     throw new BookError(`${name} has a list of more than ${most} elements; split it.`, {
       code: "tooLarge",
       source: name,
     });
   }
-  if (root?.localName !== "package") return document;
+  if (document.documentElement?.localName !== "package") return document;
+  const root = modernPackage(document);
   for (const attribute of [...root.attributes]) {
     if (attribute.localName === "prefix" && attribute.value.length > longestPrefix) {
       root.removeAttributeNode(attribute);

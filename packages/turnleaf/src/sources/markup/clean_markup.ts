@@ -25,6 +25,7 @@ import {
   type ResolveCss,
   readSheets,
 } from "./clean_css.ts";
+import { resolveSwitches } from "./content_switches.ts";
 import { prepareFormula } from "./formulas.ts";
 import { framePicture, frameSize } from "./frame_picture.ts";
 import { isXmlAttribute } from "./xml.ts";
@@ -81,6 +82,9 @@ export async function cleanMarkup(
       source: name,
     });
   }
+  resolveSwitches(document, (element, language) => {
+    element.before(placeOfLost(element, "embedded", language || "epub:switch", files));
+  });
   const root = inHtml(document);
   const sheets = await stylesOf(document, files);
   const styles = sheets.map(cssOf);
@@ -93,7 +97,6 @@ export async function cleanMarkup(
   };
   // Nothing on paper opens them.
   for (const one of root.querySelectorAll("details")) one.setAttribute("open", "");
-  for (const one of root.querySelectorAll("*|switch")) one.querySelector("*|case")?.remove();
   for (const math of root.querySelectorAll("math:not(math math)")) prepareFormula(math);
   for (const medium of root.querySelectorAll("audio, video")) placeOf(medium, files);
   for (const object of root.querySelectorAll("object")) await pictureOf(object, files);
@@ -138,12 +141,19 @@ export async function cleanMarkup(
   return { root, styles, lost };
 }
 
-/** Returns the root as an `<html>` with a `<body>`, its elements without prefixes. */
+/**
+ * Returns the root as an `<html>` with a `<body>`, its elements without prefixes. Those of other languages of
+ * markup among the text, whose text browsers show, become elements that mean nothing; those of none are HTML's.
+ */
 function inHtml(document: Document): Element {
   let root = document.documentElement;
   for (const element of [...document.getElementsByTagName("*")]) {
-    if (element.prefix === null || !namespaces.includes(element.namespaceURI ?? "")) continue;
-    const plain = document.createElementNS(element.namespaceURI, element.localName);
+    const { namespaceURI: own, prefix, localName, parentElement } = element;
+    const isKnown = namespaces.includes(own ?? "");
+    if (isKnown ? prefix === null : parentElement?.namespaceURI !== xhtml) continue;
+    const plain = isKnown
+      ? document.createElementNS(own, localName)
+      : document.createElementNS(xhtml, own === null ? localName : "span");
     for (const { namespaceURI, name, value } of element.attributes) {
       if (!name.startsWith("xmlns")) plain.setAttributeNS(namespaceURI, name, value);
     }

@@ -2,6 +2,8 @@
 
 import { claimedSize, typedImage } from "../image_header.ts";
 import { limits } from "../limits.ts";
+import { pictureData } from "../showable_image.ts";
+import { unshownFormat } from "../sniff.ts";
 
 /** Bytes in which a picture's size is searched for. */
 const headLength = 1 << 20;
@@ -11,13 +13,13 @@ const knownKind = /^image\/(png|jpeg|gif|webp|avif|bmp|svg\+xml)$/;
 
 /**
  * Returns an address of data if it is a font, or a picture of a known kind that is
- * not too large; null otherwise.
+ * not too large: as PNG, if few browsers show its kind. Null otherwise.
  */
 export async function checkedData(address: string): Promise<string | null> {
   if (/^data:font\//i.test(address)) return address;
-  const isPicture = /^data:image\//i.test(address);
-  const image = isPicture ? await dataPicture(address, headLength) : null;
-  if (image === null) return null;
+  const image = /^data:image\//i.test(address) ? await typedData(address, headLength) : null;
+  if (image && unshownFormat(image.type) !== undefined) return await rarePicture(address);
+  if (image === null || !knownKind.test(image.type)) return null;
   const size = await claimedSize(image);
   return size && size.width * size.height > limits.imagePixels ? null : address;
 }
@@ -27,12 +29,23 @@ export async function checkedData(address: string): Promise<string | null> {
  * null if that is none whose size would be known.
  */
 export async function dataPicture(address: string, most?: number): Promise<Blob | null> {
+  const image = await typedData(address, most);
+  return image && knownKind.test(image.type) ? image : null;
+}
+
+/** Returns the first bytes of data with the type that they are of; null if they cannot be read. */
+async function typedData(address: string, most?: number): Promise<Blob | null> {
   const bytes = dataBytes(address, most);
   if (bytes === null) return null;
   // What calls itself a drawing is read as one, whatever it begins with.
   const type = /^\s*data:image\/svg\+xml\s*[;,]/i.test(address) ? "image/svg+xml" : "";
-  const image = await typedImage(new Blob([bytes], { type }));
-  return knownKind.test(image.type) ? image : null;
+  return await typedImage(new Blob([bytes], { type }));
+}
+
+/** Returns a picture of a kind that few browsers show as PNG; null if it cannot be shown. */
+async function rarePicture(address: string): Promise<string | null> {
+  const bytes = dataBytes(address);
+  return bytes && (await pictureData(bytes, "A picture written as data").catch(() => null));
 }
 
 /** Returns the first bytes of an address of data; null if they cannot be read. */
