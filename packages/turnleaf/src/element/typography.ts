@@ -11,8 +11,11 @@ export const typographyAttributes = [
   "page-colours",
 ] as const;
 
+/** What a reader chooses of how text is set; the width is that of the page as it is shown. */
+export type ChosenTypography = Omit<Typography, "width">;
+
 /** Returns what the attributes say; an invalid value counts as missing. */
-export function typographyOf(element: Element): Typography {
+export function typographyOf(element: Element): ChosenTypography {
   const word = <W extends string>(name: string, words: readonly W[]): W | "" =>
     words.find((known) => known === element.getAttribute(name)) ?? "";
   const number = (name: string, least: number, most: number, usual: number): number => {

@@ -172,6 +172,11 @@ export interface Typography {
   readonly margins: number;
   /** The colours of paper and ink; "" for the book's own. */
   readonly colours: "" | "sepia" | "night";
+  /**
+   * How wide a page is shown, CSS pixels, for which it is set: 16 px of type are 16 px on the screen.
+   * 0 if that is unknown.
+   */
+  readonly width: number;
 }
 
 /** A passage that is read aloud: some text of a book, and the part of a recording that is its sound. */
@@ -239,6 +244,13 @@ export interface PageSource {
   readonly edge?: "left" | "right" | "top" | "bottom";
   /** Two pages or one, if the book says so. The default is decided by the available space. */
   readonly layout?: "spread" | "single";
+  /**
+   * Returns whether two pages may be shown side by side, by what can be read on them. The default is yes.
+   *
+   * @param width of each on the screen then, CSS pixels
+   * @param alone width of a page that is shown alone, likewise
+   */
+  mayFace?(width: number, alone: number): boolean;
   /** What the book's owner wants to be shown of it: rights, a required statement. */
   readonly details?: readonly BookDetail[];
   /** Typeset pages keep paper shading to their own white; scans must not be brightened. */

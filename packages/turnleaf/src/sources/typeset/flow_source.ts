@@ -26,6 +26,7 @@ import type { LaidChapter } from "./laid_chapter.ts";
 import { Narrator } from "./narrator.ts";
 import { NumberedPages } from "./numbered_pages.ts";
 import { SectionLengths } from "./page_estimate.ts";
+import { mayFace, paperback } from "./page_measures.ts";
 import type { SectionPage } from "./page_numbers.ts";
 import { SectionContents } from "./section_contents.ts";
 import {
@@ -36,7 +37,7 @@ import {
   placeOfPage,
   type TextPlace,
 } from "./text_place.ts";
-import { ownTypography, paperback, paperOf } from "./typography.ts";
+import { ownTypography, paperOf } from "./typography.ts";
 
 /** Sections about the reader's place: those of two open pages, and one beside them. */
 const nearSections = 3;
@@ -163,6 +164,10 @@ export class FlowSource implements PageSource {
 
   watchWarnings(listener: () => void): void {
     this.#warnings.watch(listener);
+  }
+
+  mayFace(width: number, alone: number): boolean {
+    return !this.typeset || mayFace(this.#edition.typography, width, alone);
   }
 
   get isEstimated(): boolean {

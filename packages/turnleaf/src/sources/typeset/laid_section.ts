@@ -22,14 +22,12 @@ import {
 } from "./frame.ts";
 import { Markup } from "./markup.ts";
 import { blankIds, isNoteLink, noteText } from "./notes.ts";
+import { measuresOf, type PageMeasures, paperback } from "./page_measures.ts";
 import { type PageFlow, pageOfRect, TextMap } from "./text_map.ts";
 import {
   baseStyle,
   columnStyle,
   fixedStyle,
-  measuresOf,
-  type PageMeasures,
-  paperback,
   paperOf,
   readerStyle,
   rollStyle,

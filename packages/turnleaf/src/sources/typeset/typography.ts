@@ -3,6 +3,7 @@
 import { areaDeclarations } from "../markup/paged_css.ts";
 import type { PageSize, Typography } from "../page_source.ts";
 import { pieceStyle } from "./divide.ts";
+import type { PageMeasures } from "./page_measures.ts";
 
 /** Typography as the book has it. */
 export const ownTypography: Typography = {
@@ -11,13 +12,8 @@ export const ownTypography: Typography = {
   lineHeight: 0,
   margins: 1,
   colours: "",
+  width: 0,
 };
-
-/** A page of flowing text, whatever the size of its type, in CSS pixels: a paperback of 129 by 198 mm (B format). */
-export const paperback: PageSize = { width: 488, height: 748 };
-
-/** Usual margins as fractions of the page's width: 14 mm at the sides, 16 at head and foot. */
-const usualMargin = { sides: 14 / 129, ends: 16 / 129 };
 
 /** Ink and paper. */
 const colours = {
@@ -25,24 +21,6 @@ const colours = {
   sepia: { ink: "#3b2d1f", paper: "#f4ecd8" },
   night: { ink: "#c9c5bd", paper: "#1c1b1a" },
 } as const;
-
-/** A page's measures in CSS pixels. */
-export interface PageMeasures extends PageSize {
-  /** Margins at the left and right, and at the head and foot. */
-  readonly sides: number;
-  readonly ends: number;
-}
-
-/**
- * Returns a page's measures. Larger type is a smaller page that is shown as
- * large: so everything in it grows alike, whatever units the book uses.
- */
-export function measuresOf({ size, margins }: Typography): PageMeasures {
-  const width = Math.round(paperback.width / size);
-  const height = Math.round((width * paperback.height) / paperback.width);
-  const scaled = (part: number): number => Math.round(part * margins * width);
-  return { width, height, sides: scaled(usualMargin.sides), ends: scaled(usualMargin.ends) };
-}
 
 /** Returns the paper's colour. */
 export function paperOf(typography: Typography): string {
