@@ -8,6 +8,10 @@ export const typographyAttributes = [
   "font-size",
   "line-height",
   "margins",
+  "text-align",
+  "hyphens",
+  "letter-spacing",
+  "word-spacing",
   "page-colours",
 ] as const;
 
@@ -23,10 +27,14 @@ export function typographyOf(element: Element): ChosenTypography {
     return given >= least && given <= most ? given : usual;
   };
   return {
-    font: word("font", ["serif", "sans-serif"]),
+    font: word("font", ["serif", "sans-serif", "legible", "dyslexic"]),
     size: number("font-size", 0.5, 3, 1),
     lineHeight: number("line-height", 1, 3, 0),
     margins: number("margins", 0, 2, 1),
+    align: word("text-align", ["justify", "start"]),
+    hyphens: word("hyphens", ["auto", "none"]),
+    letterSpacing: number("letter-spacing", 0, 1, 0),
+    wordSpacing: number("word-spacing", 0, 1, 0),
     colours: word("page-colours", ["sepia", "night"]),
   };
 }

@@ -162,14 +162,24 @@ export type PagePicture = ImageBitmap | HTMLCanvasElement;
 
 /** How the reader wants flowing text set. */
 export interface Typography {
-  /** The typeface of text; "" for the book's own. */
-  readonly font: "" | "serif" | "sans-serif";
+  /**
+   * The typeface of text: one of the browser's, Atkinson Hyperlegible (`legible`), OpenDyslexic
+   * (`dyslexic`); "" for the book's own.
+   */
+  readonly font: "" | "serif" | "sans-serif" | "legible" | "dyslexic";
   /** The size of everything, as a factor of the book's own: 0.5 to 3. */
   readonly size: number;
   /** The distance of lines as a factor of the type's size, 1 to 3; 0 for the book's own. */
   readonly lineHeight: number;
   /** The width of the margins, as a factor of the usual ones: 0 to 2. */
   readonly margins: number;
+  /** Whether lines of text are of one length; "" for the book's own. */
+  readonly align: "" | "justify" | "start";
+  /** Whether words are divided at the ends of lines; "" for the book's own. */
+  readonly hyphens: "" | "auto" | "none";
+  /** Space that is added between letters, and between words, in units of the type's size: 0 to 1. */
+  readonly letterSpacing: number;
+  readonly wordSpacing: number;
   /** The colours of paper and ink; "" for the book's own. */
   readonly colours: "" | "sepia" | "night";
   /**

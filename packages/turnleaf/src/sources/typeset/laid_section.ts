@@ -1,6 +1,7 @@
 import { cleanText } from "../book_text.ts";
 import { isPageSize, limits } from "../limits.ts";
 import type { PageBox, PageSize, TextRun, Typography } from "../page_source.ts";
+import { alignText } from "./align_text.ts";
 import { fitBoxes } from "./fit_boxes.ts";
 import {
   type FlowContent,
@@ -24,6 +25,7 @@ import { Markup } from "./markup.ts";
 import { blankIds, isNoteLink, noteText } from "./notes.ts";
 import { measuresOf, type PageMeasures, paperback } from "./page_measures.ts";
 import { type PageFlow, pageOfRect, TextMap } from "./text_map.ts";
+import { isTypeface, typefaceRules } from "./typefaces/typefaces.ts";
 import {
   baseStyle,
   columnStyle,
@@ -298,7 +300,9 @@ async function layIn<T>(
   const body = html.querySelector("body") ?? html;
   const view = frame.document.defaultView as Window;
   const reader = readerStyle(typography);
+  const { font } = typography;
   const own = [baseStyle, ...content.styles];
+  if (!content.size && isTypeface(font)) own.unshift(await typefaceRules(font));
   let flow: PageFlow = { stepX: 0, stepY: 0, isVertical: false };
   frame.adopt([...own, reader]);
   const { writingMode, direction } = writingOf(body, view);
@@ -319,6 +323,7 @@ async function layIn<T>(
   html.style.setProperty("font-size", rem, "important");
   frame.drawing.style.setProperty("font-size", rem, "important");
   frame.adopt(own);
+  if (!content.size) alignText(body, typography.align);
   await loadedIn(frame, html);
   if (!content.size) {
     const area = { width: page.width - 2 * page.sides, height: page.height - 2 * page.ends };

@@ -51,10 +51,11 @@ export function measuresOf({ size, margins, width: shown }: Typography): PageMea
  * @param alone width of a page that is shown alone, likewise
  */
 export function mayFace(
-  { size, margins }: Omit<Typography, "width">,
+  { size, margins, letterSpacing }: Omit<Typography, "width">,
   width: number,
   alone: number,
 ): boolean {
   const line = width * (1 - 2 * usualMargin.sides * margins);
-  return line >= leastLetters * usualType.letter * size || alone < miniature;
+  const letter = (usualType.letter + 16 * letterSpacing) * size;
+  return line >= leastLetters * letter || alone < miniature;
 }

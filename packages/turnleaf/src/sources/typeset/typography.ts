@@ -4,6 +4,7 @@ import { areaDeclarations } from "../markup/paged_css.ts";
 import type { PageSize, Typography } from "../page_source.ts";
 import { pieceStyle } from "./divide.ts";
 import type { PageMeasures } from "./page_measures.ts";
+import { familyOf, isTypeface } from "./typefaces/typefaces.ts";
 
 /** Typography as the book has it. */
 export const ownTypography: Typography = {
@@ -11,6 +12,10 @@ export const ownTypography: Typography = {
   size: 1,
   lineHeight: 0,
   margins: 1,
+  align: "",
+  hyphens: "",
+  letterSpacing: 0,
+  wordSpacing: 0,
   colours: "",
   width: 0,
 };
@@ -45,16 +50,28 @@ a { color: inherit; }
 const textElements =
   "html, body, div, section, article, p, li, dd, dt, blockquote, td, th, span, em, i, strong, b, a, small";
 
+/** Returns a typeface as CSS has it, with what stands in for letters that it lacks. */
+export function stackOf(font: Exclude<Typography["font"], "">): string {
+  return isTypeface(font) ? `${familyOf(font)}, sans-serif` : font;
+}
+
 /** Returns the style sheet above the book's own. */
 export function readerStyle(typography: Typography): string {
-  const { font, lineHeight } = typography;
+  const { font, lineHeight, hyphens, letterSpacing, wordSpacing } = typography;
   const { ink } = colours[typography.colours];
   const rules = [];
-  if (font !== "") rules.push(`${textElements} { font-family: ${font} !important; }`);
+  if (font !== "") rules.push(`${textElements} { font-family: ${stackOf(font)} !important; }`);
   if (lineHeight > 0) {
     rules.push(
       `html, body, div, section, article, p, li, dd, dt, blockquote { line-height: ${lineHeight} !important; }`,
     );
+  }
+  if (hyphens !== "") rules.push(`${textElements} { hyphens: ${hyphens} !important; }`);
+  for (const [name, space] of [
+    ["letter-spacing", letterSpacing],
+    ["word-spacing", wordSpacing],
+  ] as const) {
+    if (space > 0) rules.push(`${textElements} { ${name}: ${space}em !important; }`);
   }
   if (typography.colours !== "") {
     rules.push(
