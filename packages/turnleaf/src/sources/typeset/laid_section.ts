@@ -21,7 +21,7 @@ import {
   ownStyle,
   unmoved,
 } from "./frame.ts";
-import { Markup } from "./markup.ts";
+import { type MarginStyle, Markup, type PageMargins } from "./markup.ts";
 import { blankIds, isNoteLink, noteText } from "./notes.ts";
 import { measuresOf, type PageMeasures, paperback } from "./page_measures.ts";
 import { type PageFlow, pageOfRect, TextMap } from "./text_map.ts";
@@ -38,6 +38,9 @@ import { writingOf } from "./writing_direction.ts";
 
 /** The root's type size, from which the book's own is reckoned. */
 const rootSize = 16;
+
+/** Size of the running head and of the page's number, CSS pixels, whatever size is chosen for the text. */
+const marginSize = 12;
 
 /** The class of what is read aloud, where the book names none, and its style. */
 const spokenClass = "turnleaf-read-aloud";
@@ -154,11 +157,15 @@ export class LaidSection {
     }
   }
 
-  /** Returns a page as an SVG. */
-  svg(page: number): string {
+  /**
+   * Returns a page as an SVG.
+   *
+   * @param margins what stands in its margins
+   */
+  svg(page: number, margins: PageMargins): string {
     const { stepX, stepY } = this.#flow;
     this.#markup ??= this.#makeMarkup();
-    return this.#markup.svg(page, -page * stepX, -page * stepY);
+    return this.#markup.svg(page, -page * stepX, -page * stepY, margins);
   }
 
   /** Returns the text of a page. */
@@ -354,7 +361,15 @@ async function layIn<T>(
   };
   const text = new TextMap(body, flow, pageCount);
   const styles = withUsedFonts([spokenStyle, ...own], frame);
-  const markup = (): Markup => new Markup(html, { styles, size, rem, paper, flow });
+  const margins: MarginStyle | null =
+    content.size || isSliced
+      ? null
+      : {
+          size: marginSize / typography.size,
+          ends: page.ends,
+          line: page.width - 2 * page.sides,
+        };
+  const markup = (): Markup => new Markup(html, { styles, size, rem, paper, flow, margins });
   return done(
     frame,
     flow,
