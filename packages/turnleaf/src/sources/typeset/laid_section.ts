@@ -21,6 +21,7 @@ import {
   ownStyle,
   unmoved,
 } from "./frame.ts";
+import { divideWords } from "./hyphenation/divide_words.ts";
 import { type MarginStyle, Markup, type PageMargins } from "./markup.ts";
 import { blankIds, isNoteLink, noteText } from "./notes.ts";
 import { measuresOf, type PageMeasures, paperback } from "./page_measures.ts";
@@ -330,7 +331,10 @@ async function layIn<T>(
   html.style.setProperty("font-size", rem, "important");
   frame.drawing.style.setProperty("font-size", rem, "important");
   frame.adopt(own);
-  if (!content.size) alignText(body, typography.align);
+  if (!content.size) {
+    alignText(body, typography.align);
+    if (typography.hyphens !== "none") await divideWords(body);
+  }
   await loadedIn(frame, html);
   if (!content.size) {
     const area = { width: page.width - 2 * page.sides, height: page.height - 2 * page.ends };
