@@ -43,8 +43,8 @@ export function packedFile(id) {
 
 /** Packages that list no `exports` for their files are found through package.json. */
 function locate(path) {
-  const [name, ...rest] = path.split("/");
-  return join(dirname(require.resolve(`${name}/package.json`)), ...rest);
+  const [, name, rest] = /^((?:@[^/]+\/)?[^/]+)\/?(.*)$/.exec(path);
+  return join(dirname(require.resolve(`${name}/package.json`)), rest);
 }
 
 async function packFolder(folder) {

@@ -41,6 +41,11 @@ const viewer = defineConfig({
       to: "dist",
       rename: "license-unpacker.txt",
     },
+    {
+      from: "src/sources/typeset/hyphenation/LICENSES.txt",
+      to: "dist",
+      rename: "license-hyphenation.txt",
+    },
   ],
   deps: {
     // By threeInside, which leaves it out of all but standalone.
@@ -56,6 +61,7 @@ const viewer = defineConfig({
       "htmlparser2",
       "entities",
       "fzstd",
+      "hyphen",
     ],
   },
   outputOptions: {

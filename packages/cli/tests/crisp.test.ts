@@ -20,10 +20,10 @@ const paragraph =
 const linesOfParagraph = 5;
 const text = Array.from({ length: 150 }, () => paragraph).join("\n\n");
 
-/** Widths of a page of text and of its type, and the size of that, CSS pixels before they are scaled. */
-const set = { page: 488, type: 382, font: 16 };
+/** Size of the type that the book asks for, CSS pixels. */
+const asked = 16;
 
-const style = "body { margin: 0; background: #fff } turnleaf-book { width: 1280px; height: 700px }";
+const style = "body { margin: 0; background: #fff } turnleaf-book { width: 1400px; height: 820px }";
 
 let site: ViewerSite;
 beforeAll(async () => {
@@ -105,6 +105,28 @@ function largest(values: readonly number[], from: number, to: number): number {
   return from + some.indexOf(Math.max(...some));
 }
 
+/**
+ * Returns how high letters without ascenders are, pixels: in twenty lines, on the average, as far as rows
+ * are at least half as dark as those between.
+ */
+function xHeightOf(grey: Grey, [left, top, right, bottom]: Part, pitch: number): number {
+  const lines = baselinesOf(grey, [left, top, right, bottom + 9], pitch).slice(0, 20);
+  const around = Math.round(0.5 * pitch);
+  const heights = lines.map((at) => {
+    const rows = darknessOf(grey, [left, at - around, right, at + around]);
+    const middle = around - Math.round(0.15 * pitch);
+    const half = (rows[middle - 1] + rows[middle] + rows[middle + 1]) / 6;
+    // A row that is partly as dark counts in part.
+    const part = (row: number): number => Math.min(rows[row] / (2 * half), 1);
+    const isDark = (row: number): boolean => rows[row] >= half;
+    let [first, last] = [middle, middle];
+    while (isDark(first - 1)) first -= 1;
+    while (isDark(last + 1)) last += 1;
+    return last - first + 1 + part(first - 1) + part(last + 1);
+  });
+  return heights.reduce((sum, height) => sum + height, 0) / heights.length;
+}
+
 /** How black and how sharp a part of a picture is. */
 interface Ink {
   /** Darkness of its darkest hundredth, and the 99th percentile of its gradients, 0 to 255. */
@@ -130,7 +152,7 @@ function inkOf({ width, data }: Grey, [left, top, right, bottom]: Part): Ink {
 
 /** Opens the book. */
 async function openBook(deviceScaleFactor: number, isFlat: boolean): Promise<Page> {
-  const page = await newPage({ viewport: { width: 1280, height: 700 }, deviceScaleFactor });
+  const page = await newPage({ viewport: { width: 1400, height: 820 }, deviceScaleFactor });
   if (isFlat) {
     await page.addInitScript(() => {
       const { getContext } = HTMLCanvasElement.prototype;
@@ -145,8 +167,8 @@ async function openBook(deviceScaleFactor: number, isFlat: boolean): Promise<Pag
   return page;
 }
 
-/** Shows the paragraph, over and over, in the sizes that it has in the book. */
-async function setPlainly(page: Page, scale: number, pitch: number): Promise<void> {
+/** Shows the paragraph, over and over, in the size that is asked for and in lines of some length and height. */
+async function setPlainly(page: Page, width: number, pitch: number): Promise<void> {
   await page.goto(`${site.url}plain.html`);
   await page.evaluate(
     ([paragraph, width, size, line]) => {
@@ -160,7 +182,7 @@ async function setPlainly(page: Page, scale: number, pitch: number): Promise<voi
       }
       document.body.append(column);
     },
-    [paragraph, set.type * scale, set.font * scale, pitch] as const,
+    [paragraph, width, asked, pitch] as const,
   );
 }
 
@@ -196,8 +218,8 @@ test.for(cases)(
     const low = Math.round(seen.height * 0.1);
     // Between the boards, the folds and the fore-edges.
     const pages = [
-      inkIn(seen, [Math.round(0.2 * whole), low, Math.round(half - 0.015 * whole), high]),
-      inkIn(seen, [Math.round(half + 0.015 * whole), low, Math.round(0.8 * whole), high]),
+      inkIn(seen, [Math.round(0.17 * whole), low, Math.round(half - 0.015 * whole), high]),
+      inkIn(seen, [Math.round(half + 0.015 * whole), low, Math.round(0.83 * whole), high]),
     ];
     const ends = pages.map(([left, top, right, bottom]) =>
       baselinesOf(seen, [left, top, (left + right) >> 1, bottom + 9], (bottom - top) / 24),
@@ -232,13 +254,18 @@ test.for(cases)(
         );
       }
     }
-    const across = pages[0][2] - pages[0][0];
-    const texels = Math.round((set.page * across) / set.type);
-    await setPlainly(page, texels / set.page / ratio, pitch / ratio);
+    await setPlainly(page, (pages[0][2] - pages[0][0]) / ratio, pitch / ratio);
     const plain = await photograph(page);
     const column = inkIn(plain, [0, 0, plain.width, plain.height]);
     const wanted = placesOf(column, pitch).map((part) => inkOf(plain, part));
     const report: string[] = [];
+    // 16 px asked for are 16 px drawn: letters without ascenders are as high.
+    const high16 = xHeightOf(plain, column, pitch);
+    for (const type of pages) {
+      const drawn = xHeightOf(seen, type, pitch);
+      report.push(`x-height ${drawn.toFixed(2)}/${high16.toFixed(2)}`);
+      expect(Math.abs(drawn / high16 - 1), report.join(", ")).toBeLessThan(1 / 32);
+    }
     for (const type of pages) {
       for (const [k, part] of placesOf(type, pitch).entries()) {
         const { black, steep } = inkOf(seen, part);

@@ -30,10 +30,11 @@ import type { PageChanges } from "./element/page_changes.ts";
 import type { PageLists } from "./element/page_lists.ts";
 import { pageNumber, RequestedPage } from "./element/page_numbers.ts";
 import { ReaderElement } from "./element/reader_element.ts";
+import { expectedWidth, SetWidth } from "./element/set_width.ts";
 import { openPages, ShadowTree } from "./element/shadow_tree.ts";
 import { SoundAndHaptics } from "./element/sound_and_haptics.ts";
 import type { TornPages } from "./element/torn_pages.ts";
-import { typographyOf } from "./element/typography.ts";
+import { type ChosenTypography, typographyOf } from "./element/typography.ts";
 import { pagesIn } from "./sources/html/child_pages.ts";
 import { loadPart } from "./sources/load_part.ts";
 import type { BookInput } from "./sources/open.ts";
@@ -105,6 +106,11 @@ export class TurnleafBook extends ReaderElement {
   filmFrames: FilmFrames | null = null;
   /** Changes the book's pages, once they are to be changed. */
   #pageChanges: Promise<PageChanges> | null = null;
+  /** The width for which the open book's text is set. */
+  readonly #setWidth: SetWidth = new SetWidth(
+    () => (this.canTypeset ? (this.#viewer?.pageWidth ?? 0) : 0),
+    () => void this.#typeset(),
+  );
   readonly #controls = new ControlsLoader((error) => this.#reportMissingPart(error));
   readonly #soundAndHaptics = new SoundAndHaptics(
     this,
@@ -586,6 +592,7 @@ export class TurnleafBook extends ReaderElement {
       this.#left = { ...this.#left, page, anchor: this.source?.first.anchor?.(page - 1) };
     }
     if (this.#life.book) this.returnLists();
+    this.#setWidth.stop();
     this.#life.close();
     this.reportLists();
     this.#updateState();
@@ -761,7 +768,8 @@ export class TurnleafBook extends ReaderElement {
   async #restore(source: PageList, src: string): Promise<void> {
     this.#isRestoring = true;
     const before = JSON.stringify(typographyOf(this));
-    const found = await this.restorePlace(source, src, this.#left?.anchor);
+    const typography = (): Typography => this.#takeTypography();
+    const found = await this.restorePlace(source, src, typography, this.#left?.anchor);
     if (this.#left && found !== null) this.#left = { ...this.#left, page: found };
     this.#isRestoring = false;
     // Set anew, by all that attributes say now.
@@ -771,7 +779,19 @@ export class TurnleafBook extends ReaderElement {
   #takeTypography(): Typography {
     const typography = typographyOf(this);
     this.#openedBy.typography = JSON.stringify(typography);
-    return typography;
+    this.#setWidth.width = this.#expected(typography, null).width;
+    return { ...typography, width: this.#setWidth.width };
+  }
+
+  /** @param source of the open book; null for one that is not open yet */
+  #expected(
+    typography: ChosenTypography,
+    source: PageList | null,
+  ): ReturnType<typeof expectedWidth> {
+    const { clientWidth, clientHeight } = this.#tree.stage;
+    const binding = bindingOptionsOf(this);
+    const layout = binding.layout === "auto" ? (source?.layout ?? "auto") : binding.layout;
+    return expectedWidth(clientWidth, clientHeight, { ...binding, layout }, typography);
   }
 
   /** Returns the book that the element's children are; "" if there are none yet. */
@@ -809,6 +829,7 @@ export class TurnleafBook extends ReaderElement {
         if (isOpen) this.#tree.announce(detail.message);
         this.emit("pageerror", { ...detail, page });
       },
+      onPageWidth: () => this.#setWidth.follow(),
       onLayout: () => this.#laidOut(),
       onPage: (from, to) => this.#pageChanged(from, to, from < to ? "forward" : "backward"),
       onMotion: (...frame) => {
@@ -937,8 +958,12 @@ export class TurnleafBook extends ReaderElement {
   }
 
   async #typeset(): Promise<void> {
+    const typography = typographyOf(this);
+    // Larger type may have one page shown instead of two.
+    const expected = this.#expected(typography, this.source ?? null);
+    if (expected.layout !== this.shownLayout) this.#setWidth.width = expected.width;
     try {
-      await this.source?.typeset?.(typographyOf(this));
+      await this.source?.typeset?.({ ...typography, width: this.#setWidth.width });
     } catch (error) {
       this.#reportMissingPart(error);
     }

@@ -98,6 +98,7 @@ const spreadAbove = 0.68;
  * other
  * @param width,height of the place, both 0 while unknown
  * @param before the previous layout, null at first
+ * @param mayFace whether two pages can be read there side by side
  */
 export function layoutFor(
   requested: LayoutOptions["layout"],
@@ -106,9 +107,11 @@ export function layoutFor(
   width: number,
   height: number,
   before: Layout | null,
+  mayFace = true,
 ): Layout {
   if (requested !== "auto") return requested;
   if (width === 0 || height === 0) return before ?? "spread";
+  if (!mayFace) return "single";
   const [across, down] = quarterTurned ? [1, 2] : [2, 1];
   const inSpread = Math.min(height / down, width / across / aspect);
   const fraction = inSpread / Math.min(height, width / aspect);

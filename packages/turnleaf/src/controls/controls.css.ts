@@ -69,8 +69,26 @@ export const style: string = /* css */ `
 .hit { display: block; }
 .hit .label { display: block; font-size: 0.86em; }
 .hit mark { background: var(--turnleaf-mark); color: #2b2116; border-radius: 2px; padding: 0 1px; }
-.choice { display: flex; align-items: center; justify-content: space-between; gap: 12px; min-height: 44px; padding-inline: 10px; }
-.choose { box-sizing: border-box; max-width: 60%; height: 36px; padding: 0 8px; border: 1px solid var(--turnleaf-line); border-radius: 7px; background: var(--turnleaf-field); color: inherit; font: inherit; }
+.sample { box-sizing: border-box; height: 108px; margin: 0 4px 8px; padding: 12px 16px; overflow: hidden; border: 1px solid var(--turnleaf-line); border-radius: 10px; background: #fff; color: #000; overflow-wrap: break-word; }
+.sample[data-colours="sepia"] { background: #f4ecd8; color: #3b2d1f; }
+.sample[data-colours="night"] { background: #1c1b1a; color: #c9c5bd; }
+.choice { display: flex; flex-wrap: wrap; align-items: center; justify-content: space-between; gap: 2px 12px; min-height: 48px; padding-inline: 8px; }
+.what { color: var(--turnleaf-muted); }
+.segments, .stepper { display: flex; align-items: stretch; border-radius: 10px; background: var(--turnleaf-hover); }
+.segments { flex: 1 1 100%; padding: 2px; margin-bottom: 8px; }
+.segments button { flex: 1 1 auto; min-height: 40px; padding-inline: 6px; border-radius: 8px; font-size: 0.93em; overflow-wrap: anywhere; }
+.segments [aria-checked="true"] { background: var(--turnleaf-surface); color: var(--turnleaf-accent); box-shadow: 0 1px 3px rgb(0 0 0 / 0.22); }
+.faces .segments { display: grid; grid-template-columns: repeat(auto-fit, minmax(88px, 1fr)); gap: 2px; }
+.faces button { display: flex; flex-direction: column; align-items: center; justify-content: center; padding: 6px 2px; font-size: 0.8em; }
+.faces b { font-size: 22px; font-weight: normal; line-height: 1.3; }
+.stepper { margin-block: 2px; }
+.stepper button { width: 48px; min-height: 40px; font-size: 1.3em; border-radius: 10px; }
+.stepper .value { min-width: 76px; align-self: center; text-align: center; font-variant-numeric: tabular-nums; font-size: 0.93em; }
+.sizes .stepper { flex: 1 1 100%; }
+.sizes .what { display: none; }
+.sizes .stepper button { flex: 1; min-height: 44px; font-family: var(--turnleaf-serif); font-size: 15px; }
+.sizes .stepper button:last-child { font-size: 24px; }
+@media (hover: hover) { .segments button:not([aria-checked="true"]):hover, .stepper button:hover { background: var(--turnleaf-hover); } }
 .found { display: flex; flex-direction: column; }
 .ask { display: flex; align-items: center; margin: 0; position: sticky; top: 0; z-index: 1; }
 .ask svg { position: absolute; inset-inline-start: 10px; width: 18px; color: var(--turnleaf-muted); pointer-events: none; }
@@ -119,6 +137,10 @@ export const style: string = /* css */ `
   .narrow:not([hidden]) { display: flex !important; }
   .wide { display: none !important; }
   .panel { width: 100%; border: 0; }
+  /* The book is seen above, as it is set. */
+  .panel[data-tab="type"] { top: auto; height: min(58%, 460px); border-radius: 16px 16px 0 0; box-shadow: 0 -4px 24px rgb(0 0 0 / 0.2); }
+  .panel[data-tab="type"] .tabs { display: none !important; }
+  .panel[data-tab="type"] h2 { display: block !important; }
   .frame.open > [part="stage"] { inset-inline-start: 0; }
   .ui :is(.entry, .query) { font-size: 16px; }
   .place { padding-inline: 2px 4px; }
@@ -131,7 +153,7 @@ export const style: string = /* css */ `
 @media print { .ui { display: none !important; } }
 @media (forced-colors: active) {
   .ui, .menu { border-color: CanvasText; }
-  [part~="button"]:is([aria-expanded="true"], [aria-pressed="true"]), .tabs [aria-selected="true"], .ui [aria-current], .menu [aria-checked="true"] { outline: 2px solid Highlight; outline-offset: -3px; }
+  [part~="button"]:is([aria-expanded="true"], [aria-pressed="true"]), .tabs [aria-selected="true"], .ui [aria-current], .menu [aria-checked="true"], .segments [aria-checked="true"] { outline: 2px solid Highlight; outline-offset: -3px; }
   .ui [aria-disabled="true"] { color: GrayText; opacity: 1; }
   .track input::-webkit-slider-runnable-track { background: CanvasText; forced-color-adjust: none; }
   .track input::-webkit-slider-thumb { background: Highlight; forced-color-adjust: none; }

@@ -1,7 +1,7 @@
 /** The reader's controls around a book: toolbar, side panel, slider, keys. */
 
 import { addStyle } from "../element/shadow_tree.ts";
-import { typographyAttributes } from "../element/typography.ts";
+import { typographyAttributes, typographyOf } from "../element/typography.ts";
 import { languageOf, loadLanguage } from "../words/languages.ts";
 import { actionsOf, type Tab, zoomBy } from "./actions.ts";
 import { Bar } from "./bar.ts";
@@ -119,6 +119,13 @@ function build<Hit extends FoundPlace>(
     bookmarks: new BookmarksTab(book, wording, picked),
     type: new TypeTab(book, wording),
   };
+  const stepType = (by: 1 | -1): void => {
+    if (!book.canTypeset) return;
+    views.type.stepSize(by);
+    book.announce(
+      `${wording.texts.typeSize}: ${wording.number(Math.round(100 * typographyOf(book).size))} %`,
+    );
+  };
   const actions = actionsOf(book, wording, () => askPrint(book, wording, frame));
   const bar = new Bar(book, wording, actions, toggle);
   const pages = new PagesBar(book, wording);
@@ -170,6 +177,7 @@ function build<Hit extends FoundPlace>(
         zoomBy(book, by);
         book.announceZoom();
       },
+      type: stepType,
       bookmark: () => {
         book.toggleBookmark();
         const { texts, list } = wording;

@@ -9,6 +9,8 @@ export interface KeyCommands {
   escape(): boolean;
   zoom(by: 1 | 0 | -1): void;
   bookmark(): void;
+  /** Sets flowing text one step larger (1) or smaller (-1). */
+  type(by: 1 | -1): void;
 }
 
 /**
@@ -48,6 +50,8 @@ function handle(event: KeyboardEvent, book: ControlledBook, commands: KeyCommand
     "=": () => commands.zoom(1),
     "-": () => commands.zoom(-1),
     "0": () => commands.zoom(0),
+    ">": () => commands.type(1),
+    "<": () => commands.type(-1),
     f: () => book.toggleFullscreen(),
     b: () => commands.bookmark(),
     o: () => book.shownLayout === "spread" && book.toggleShift(),

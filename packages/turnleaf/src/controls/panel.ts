@@ -81,6 +81,7 @@ export class Panel {
     if (this.#open === tab) return;
     if (this.#open) this.#views[this.#open].hide();
     this.#open = tab;
+    this.element.dataset.tab = tab;
     this.element.hidden = false;
     for (const [name, button] of this.#tabButtons) {
       button.ariaSelected = String(name === tab);

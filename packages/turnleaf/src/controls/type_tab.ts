@@ -1,65 +1,119 @@
-/** The tab in which the reader chooses how flowing text is set. */
+/** The tab in which the reader chooses how flowing text is set: a sample of it, and a row for each choice. */
 
+import { typographyAttributes, typographyOf } from "../element/typography.ts";
+import { isTypeface } from "../sources/typeset/typefaces/typefaces.ts";
+import { fill } from "../words/languages.ts";
 import type { ControlledBook } from "./book.ts";
+import { type Choice, type ChoiceRow, choiceOf, type ScaleTexts, scaleOf } from "./choices.ts";
 import { make } from "./make.ts";
 import type { PanelTab } from "./panel.ts";
+import { familyShown, showTypeface, TypeSample } from "./type_sample.ts";
 import type { Wording } from "./wording.ts";
+
+/** The sizes of type that are chosen step by step, as factors of the book's own: each about a seventh more. */
+const sizes = [0.7, 0.8, 0.9, 1, 1.15, 1.3, 1.5, 1.75, 2, 2.3, 2.6, 3];
+
+/** Sets the type one step larger (1) or smaller (-1). */
+export type StepType = (by: 1 | -1) => void;
 
 /** One choice a row; each is an attribute of the element. */
 export class TypeTab implements PanelTab {
-  readonly element: HTMLElement = make("div", { class: "view" });
-  readonly #book: ControlledBook;
-  readonly #selects = new Map<string, HTMLSelectElement>();
+  readonly element: HTMLElement = make("div", { class: "view typeset" });
+  /** Sets the type one step larger or smaller. */
+  readonly stepSize: StepType;
+  readonly #sample: TypeSample;
+  readonly #rows: readonly ChoiceRow[];
 
   constructor(book: ControlledBook, { texts, number }: Wording) {
-    this.#book = book;
-    const own: readonly [string, string] = ["", texts.asInBook];
-    const sizes = [0.7, 0.8, 0.9, 1, 1.1, 1.25, 1.5, 1.75, 2, 2.5];
-    const lines = [1.2, 1.4, 1.6, 1.8, 2];
-    this.#add("font-size", texts.typeSize, [
-      ...sizes.map(
-        (size) => [size === 1 ? "" : String(size), `${number(Math.round(100 * size))} %`] as const,
-      ),
-    ]);
-    this.#add("font", texts.typeface, [
-      own,
-      ["serif", texts.serif],
-      ["sans-serif", texts.sansSerif],
-    ]);
-    this.#add("line-height", texts.lineHeight, [
-      own,
-      ...lines.map((line) => [String(line), number(line)] as const),
-    ]);
-    this.#add("margins", texts.margins, [
-      ["0.5", texts.narrow],
-      ["", texts.usual],
-      ["1.5", texts.wide],
-    ]);
-    this.#add("page-colours", texts.paper, [own, ["sepia", texts.sepia], ["night", texts.night]]);
+    const scale = (label: string): ScaleTexts => ({
+      label,
+      less: fill(texts.lessOf, { name: label }),
+      more: fill(texts.moreOf, { name: label }),
+    });
+    const own: Choice = ["", texts.booksOwn];
+    const steps = (values: readonly number[]): Choice[] =>
+      values.map((value) => [String(value), number(value)]);
+    const percents = (values: readonly number[], usual: number): Choice[] =>
+      values.map((value) => [
+        value === usual ? "" : String(value),
+        `${number(Math.round(100 * value))} %`,
+      ]);
+    const size = scaleOf(
+      book,
+      "font-size",
+      { label: texts.typeSize, less: texts.smallerType, more: texts.largerType },
+      percents(sizes, 1),
+      ["A", "A"],
+    );
+    size.element.classList.add("sizes");
+    this.stepSize = size.step;
+    const face = choiceOf(
+      book,
+      "font",
+      texts.typeface,
+      [
+        own,
+        ["serif", texts.serif],
+        ["sans-serif", texts.sansSerif],
+        ["legible", "Atkinson"],
+        ["dyslexic", "OpenDyslexic"],
+      ],
+      (button, value) => {
+        const letters = make("b", { "aria-hidden": "true" }, "Aa");
+        letters.style.fontFamily = familyShown(value);
+        button.prepend(letters);
+      },
+    );
+    face.element.classList.add("faces");
+    this.#rows = [
+      size,
+      face,
+      scaleOf(book, "line-height", scale(texts.lineHeight), [
+        own,
+        ...steps([1.2, 1.3, 1.4, 1.5, 1.6, 1.8, 2]),
+      ]),
+      scaleOf(book, "margins", scale(texts.margins), percents([0.25, 0.5, 0.75, 1, 1.25, 1.5], 1)),
+      choiceOf(book, "text-align", texts.alignment, [
+        own,
+        ["justify", texts.justified],
+        ["start", texts.ragged],
+      ]),
+      choiceOf(book, "hyphens", texts.hyphens, [own, ["auto", texts.on], ["none", texts.off]]),
+      scaleOf(book, "letter-spacing", scale(texts.letterSpacing), [
+        own,
+        ...steps([0.02, 0.05, 0.08, 0.12, 0.16]),
+      ]),
+      scaleOf(book, "word-spacing", scale(texts.wordSpacing), [
+        own,
+        ...steps([0.05, 0.1, 0.2, 0.3, 0.5]),
+      ]),
+      choiceOf(book, "page-colours", texts.paper, [
+        own,
+        ["sepia", texts.sepia],
+        ["night", texts.night],
+      ]),
+    ];
+    this.#sample = new TypeSample(texts.typeSample, () => typographyOf(book));
+    const reset = make("button", { type: "button", class: "plain" }, texts.asInBook);
+    reset.addEventListener("click", () => {
+      for (const name of typographyAttributes) book.removeAttribute(name);
+    });
+    this.element.append(this.#sample.element, ...this.#rows.map(({ element }) => element), reset);
   }
 
   show(): void {
+    for (const name of ["legible", "dyslexic"]) if (isTypeface(name)) showTypeface(name);
     this.refresh();
   }
 
   hide(): void {}
 
   refresh(): void {
-    for (const [name, select] of this.#selects) select.value = this.#book.getAttribute(name) ?? "";
+    for (const row of this.#rows) row.refresh();
+    this.#sample.refresh();
   }
 
   focus(): void {
-    this.element.querySelector("select")?.focus();
-  }
-
-  #add(name: string, label: string, options: readonly (readonly [string, string])[]): void {
-    const select = make("select", { class: "choose" });
-    for (const [value, text] of options) select.append(make("option", { value }, text));
-    select.addEventListener("change", () => {
-      if (select.value === "") this.#book.removeAttribute(name);
-      else this.#book.setAttribute(name, select.value);
-    });
-    this.#selects.set(name, select);
-    this.element.append(make("label", { class: "choice" }, label, select));
+    this.element.querySelector("button")?.focus({ preventScroll: true });
   }
 }

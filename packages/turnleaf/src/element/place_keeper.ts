@@ -9,10 +9,11 @@ import type { DogEar } from "../book/dog_ears.ts";
 import type { PageFold } from "../book/page_folds.ts";
 import { pageInHash, pageOfHash } from "../sources/page_hash.ts";
 import type { PageList } from "../sources/page_list.ts";
+import type { Typography } from "../sources/page_source.ts";
 import { cleanDogEars, cleanFolds } from "./fold_lists.ts";
 import type { PageLists } from "./page_lists.ts";
 import { cleanPages, isPage } from "./page_numbers.ts";
-import { typographyAttributes, typographyOf } from "./typography.ts";
+import { typographyAttributes } from "./typography.ts";
 
 /** The element, as far as its place is kept. */
 interface PlacedBook extends HTMLElement {
@@ -112,27 +113,33 @@ export class PlaceKeeper {
    * is unknown. Never rejects: a book opens at its beginning where that fails.
    *
    * @param src the element's address of it
+   * @param typography returns how the attributes say that text is set
    * @param left the anchor at which the element left the book, if it was open before
    */
-  async restore(source: PageList, src: string, left?: string): Promise<number | null> {
+  async restore(
+    source: PageList,
+    src: string,
+    typography: () => Typography,
+    left?: string,
+  ): Promise<number | null> {
     this.#addresses.set(source, src);
     const isKept = this.#book.hasAttribute("remember");
     const kept = isKept ? loadPlace(this.#name(source)) : null;
     if (kept?.tilt && !this.#book.hasAttribute("tilt")) this.#book.setAttribute("tilt", kept.tilt);
     if (!source.findAnchors) return null;
-    const { anchors = [], typography = {} } = kept?.text ?? {};
+    const { anchors = [], typography: said = {} } = kept?.text ?? {};
     const asked = this.#asked;
     // A number is of the pages as they were counted then: the text with which its page began says more.
     const isSamePage = asked === null || asked === kept?.page;
     const at = this.#askedText ?? (isSamePage ? anchors[0] : undefined);
     try {
       let isChanged = false;
-      for (const [name, value] of Object.entries(typography)) {
+      for (const [name, value] of Object.entries(said)) {
         if (this.#book.hasAttribute(name)) continue;
         this.#book.setAttribute(name, value);
         isChanged = true;
       }
-      if (isChanged) await source.typeset?.(typographyOf(this.#book));
+      if (isChanged) await source.typeset?.(typography());
       const wanted = [at ?? "", left ?? "", ...anchors.slice(1)];
       const [index = null, leftAt = null, ...marks] = await source.findAnchors(wanted);
       const ofFolds = marks.splice(kept?.bookmarks.length ?? 0);

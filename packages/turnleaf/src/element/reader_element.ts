@@ -17,6 +17,7 @@ import {
   BookError,
   type OutlineEntry,
   type PagePicture,
+  type Typography,
 } from "../sources/page_source.ts";
 import type { SearchHit } from "../text/searching.ts";
 import { languageOf } from "../words/languages.ts";
@@ -792,6 +793,7 @@ export abstract class ReaderElement extends ReflectingElement {
    * it is shown. Resolves to the page (from 1) of `left`, null if that is unknown. Never rejects.
    *
    * @param src the element's address of it
+   * @param typography returns how the attributes say that text is set
    * @param left the anchor at which this element left the book, if it was open before
    *
    * @internal
@@ -799,9 +801,10 @@ export abstract class ReaderElement extends ReflectingElement {
   protected async restorePlace(
     source: PageList,
     src: string,
+    typography: () => Typography,
     left: string | undefined,
   ): Promise<number | null> {
-    if (this.#place) return await this.#place.restore(source, src, left);
+    if (this.#place) return await this.#place.restore(source, src, typography, left);
     if (left === undefined) return null;
     try {
       const [found = null] = (await source.findAnchors?.([left])) ?? [];

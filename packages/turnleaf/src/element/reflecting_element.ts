@@ -186,8 +186,8 @@ export class ReflectingElement extends Base {
   }
 
   /**
-   * The typeface of flowing text, as of an EPUB: `serif`, `sans-serif`, or the
-   * book's own.
+   * The typeface of flowing text, as of an EPUB: `serif`, `sans-serif`, `legible`
+   * (Atkinson Hyperlegible), `dyslexic` (OpenDyslexic), or the book's own.
    *
    * @attribute font
    * @default ""
@@ -201,7 +201,8 @@ export class ReflectingElement extends Base {
   }
 
   /**
-   * The size of everything in flowing text, as a factor of the book's own: 0.5 to 3.
+   * The size of everything in flowing text, as a factor of the book's own: 0.5 to 3. With 1, type of
+   * 16 px is 16 CSS pixels high on the screen, however large the book is shown.
    *
    * @attribute font-size
    * @default 1
@@ -241,6 +242,64 @@ export class ReflectingElement extends Base {
 
   set margins(factor: number) {
     this.setAttribute("margins", String(factor));
+  }
+
+  /**
+   * Whether the lines of flowing text are of one length (`justify`) or as long as their words
+   * (`start`); the default is as the book has it.
+   *
+   * @attribute text-align
+   * @default ""
+   */
+  get textAlign(): Typography["align"] {
+    return typographyOf(this).align;
+  }
+
+  set textAlign(align: Typography["align"]) {
+    this.setAttribute("text-align", align);
+  }
+
+  /**
+   * Whether words of flowing text are divided at the ends of lines (`auto`) or not (`none`), in
+   * languages that the browser can divide; the default is as the book has it.
+   *
+   * @attribute hyphens
+   * @default ""
+   */
+  get hyphens(): Typography["hyphens"] {
+    return typographyOf(this).hyphens;
+  }
+
+  set hyphens(hyphens: Typography["hyphens"]) {
+    this.setAttribute("hyphens", hyphens);
+  }
+
+  /**
+   * Space that is added between the letters of flowing text, in units of the type's size: 0 to 1.
+   *
+   * @attribute letter-spacing
+   * @default 0
+   */
+  get letterSpacing(): number {
+    return typographyOf(this).letterSpacing;
+  }
+
+  set letterSpacing(space: number) {
+    this.setAttribute("letter-spacing", String(space));
+  }
+
+  /**
+   * Space that is added between its words, likewise.
+   *
+   * @attribute word-spacing
+   * @default 0
+   */
+  get wordSpacing(): number {
+    return typographyOf(this).wordSpacing;
+  }
+
+  set wordSpacing(space: number) {
+    this.setAttribute("word-spacing", String(space));
   }
 
   /**

@@ -2,6 +2,7 @@ import { expect, test } from "vitest";
 import { book, happens } from "../for_tests/element_books.ts";
 import { eventually } from "../for_tests/eventually.ts";
 import { prose, tinyEpub } from "../sources/epub/tiny_epub.ts";
+import type { PageSource, TextRun } from "../sources/page_source.ts";
 
 const words = async (element: ReturnType<typeof book>): Promise<string> =>
   ((await element.search("word15x0"))[0]?.page ?? 0).toString();
@@ -33,27 +34,47 @@ test("the reader chooses in a tab, which other books do not have", async () => {
   const tab = (): HTMLButtonElement | null => root.querySelector('.bar [aria-label="Type"]');
   await eventually(() => tab()?.hidden).toBe(false);
   tab()?.click();
-  const choices = [...root.querySelectorAll<HTMLSelectElement>(".choice select")];
-  expect(choices.map(({ labels }) => labels[0]?.firstChild?.textContent)).toEqual([
-    "Size",
-    "Typeface",
-    "Line spacing",
-    "Margins",
-    "Paper",
-  ]);
+  const button = (group: string, name: string): HTMLElement => {
+    const all = [...root.querySelectorAll<HTMLElement>(`[aria-label="${group}"] button`)];
+    return all.find((one) => (one.ariaLabel ?? one.textContent)?.endsWith(name)) as HTMLElement;
+  };
+  expect(root.querySelector("select")).toBe(null);
+  const sample = root.querySelector(".sample") as HTMLElement;
   const changed = happens(element, "pageschange");
-  for (const [k, value] of ["2", "serif", "1.6", "0.5", "sepia"].entries()) {
-    const choice = choices[k] as HTMLSelectElement;
-    choice.value = value;
-    choice.dispatchEvent(new Event("change"));
+  for (const [group, name] of [
+    ["Size", "Larger type"],
+    ["Size", "Larger type"],
+    ["Typeface", "Atkinson"],
+    ["Line spacing", "more"],
+    ["Margins", "less"],
+    ["Alignment", "Ragged"],
+    ["Hyphenation", "On"],
+    ["Letter spacing", "more"],
+    ["Word spacing", "more"],
+    ["Paper", "Sepia"],
+  ] as const) {
+    button(group, name).click();
   }
   await changed;
   expect([element.fontSize, element.font, element.lineHeight, element.margins]).toEqual([
-    2,
-    "serif",
-    1.6,
-    0.5,
+    1.3,
+    "legible",
+    1.2,
+    0.75,
   ]);
+  expect([element.textAlign, element.hyphens]).toEqual(["start", "auto"]);
+  expect([element.letterSpacing, element.wordSpacing]).toEqual([0.02, 0.05]);
+  await eventually(() => sample.style.fontSize).toBe("20.8px");
+  expect(sample.style.fontFamily).toContain("turnleaf-legible");
+  await eventually(() => button("Typeface", "Atkinson").ariaChecked).toBe("true");
+  // By keys too, as far as there are steps.
+  for (let k = 0; k < 12; k++) {
+    element.dispatchEvent(new KeyboardEvent("keydown", { key: "<", bubbles: true }));
+  }
+  expect(element.fontSize).toBe(0.7);
+  root.querySelector<HTMLElement>(".typeset > .plain")?.click();
+  expect(element.font).toBe("");
+  element.pageColours = "sepia";
   expect(element.pageColours).toBe("sepia");
   const canvas = document.createElement("canvas");
   const loaded = happens(element, "load");
@@ -90,4 +111,42 @@ test("a remembered book opens with the reader's type, at the text where he was",
   expect(second.bookmarks).toEqual([later]);
   second.remove();
   localStorage.clear();
+});
+
+test("a typeface of the package, spaces and alignment are seen in the lines", async () => {
+  const css = "p { text-align: justify; margin: 0 } h2 { text-align: center }";
+  const chapters = [`<h2>One</h2>${prose(12)}`];
+  const element = book(tinyEpub({ chapters, css }), { duration: "0", layout: "single" });
+  element.style.cssText = "width: 500px; height: 700px";
+  await happens(element, "load");
+  const signal = new AbortController().signal;
+  const lines = async (): Promise<readonly TextRun[]> => {
+    const { source } = element as unknown as { readonly source: PageSource };
+    return (await source.text?.(0, signal)) ?? [];
+  };
+  // What is counted meanwhile is reported too.
+  const set = async (name: string, value: string): Promise<readonly TextRun[]> => {
+    const before = JSON.stringify(await lines());
+    element.setAttribute(name, value);
+    await eventually(async () => JSON.stringify(await lines())).not.toBe(before);
+    return await lines();
+  };
+  const [title, ...own] = await lines();
+  const letters = (runs: readonly TextRun[]): number =>
+    runs.slice(1, 8).reduce((sum, { text }) => sum + text.length, 0);
+  /** Returns how wide a letter of the first line is, on the average. */
+  const widthOf = (runs: readonly TextRun[]): number =>
+    (runs[1]?.width ?? 0) / (runs[1]?.text.length ?? 1);
+  const ends = (runs: readonly TextRun[]): number[] =>
+    runs.slice(1, 7).map(({ x, width }) => Math.round(x + width));
+  const edge = Math.max(...ends([title as TextRun, ...own]));
+  expect(ends([title as TextRun, ...own]).every((end) => edge - end <= 1)).toBe(true);
+  expect(ends(await set("text-align", "start")).every((end) => edge - end > 2)).toBe(true);
+  expect((await lines())[0]?.x).toBeCloseTo(title?.x ?? 0, 0);
+  const sans = widthOf(await set("font", "sans-serif"));
+  const legible = widthOf(await set("font", "legible"));
+  expect(legible).not.toBe(sans);
+  expect(widthOf(await set("font", "dyslexic"))).toBeGreaterThan(1.1 * sans);
+  expect(letters(await set("letter-spacing", "0.2"))).toBeLessThan(letters(own));
+  element.remove();
 });

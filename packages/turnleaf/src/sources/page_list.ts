@@ -157,6 +157,10 @@ export class PageList implements PageSource {
     return this.first.layout;
   }
 
+  mayFace(width: number, alone: number): boolean {
+    return this.first.mayFace?.(width, alone) ?? true;
+  }
+
   get titleDirection(): PageSource["titleDirection"] {
     return this.first.titleDirection;
   }

@@ -162,16 +162,31 @@ export type PagePicture = ImageBitmap | HTMLCanvasElement;
 
 /** How the reader wants flowing text set. */
 export interface Typography {
-  /** The typeface of text; "" for the book's own. */
-  readonly font: "" | "serif" | "sans-serif";
+  /**
+   * The typeface of text: one of the browser's, Atkinson Hyperlegible (`legible`), OpenDyslexic
+   * (`dyslexic`); "" for the book's own.
+   */
+  readonly font: "" | "serif" | "sans-serif" | "legible" | "dyslexic";
   /** The size of everything, as a factor of the book's own: 0.5 to 3. */
   readonly size: number;
   /** The distance of lines as a factor of the type's size, 1 to 3; 0 for the book's own. */
   readonly lineHeight: number;
   /** The width of the margins, as a factor of the usual ones: 0 to 2. */
   readonly margins: number;
+  /** Whether lines of text are of one length; "" for the book's own. */
+  readonly align: "" | "justify" | "start";
+  /** Whether words are divided at the ends of lines; "" for the book's own. */
+  readonly hyphens: "" | "auto" | "none";
+  /** Space that is added between letters, and between words, in units of the type's size: 0 to 1. */
+  readonly letterSpacing: number;
+  readonly wordSpacing: number;
   /** The colours of paper and ink; "" for the book's own. */
   readonly colours: "" | "sepia" | "night";
+  /**
+   * How wide a page is shown, CSS pixels, for which it is set: 16 px of type are 16 px on the screen.
+   * 0 if that is unknown.
+   */
+  readonly width: number;
 }
 
 /** A passage that is read aloud: some text of a book, and the part of a recording that is its sound. */
@@ -239,6 +254,13 @@ export interface PageSource {
   readonly edge?: "left" | "right" | "top" | "bottom";
   /** Two pages or one, if the book says so. The default is decided by the available space. */
   readonly layout?: "spread" | "single";
+  /**
+   * Returns whether two pages may be shown side by side, by what can be read on them. The default is yes.
+   *
+   * @param width of each on the screen then, CSS pixels
+   * @param alone width of a page that is shown alone, likewise
+   */
+  mayFace?(width: number, alone: number): boolean;
   /** What the book's owner wants to be shown of it: rights, a required statement. */
   readonly details?: readonly BookDetail[];
   /** Typeset pages keep paper shading to their own white; scans must not be brightened. */

@@ -20,13 +20,11 @@ import type { PageSize, PageSource } from "../sources/page_source.ts";
 import type { BookPose, BookShape } from "../stage/book_pose.ts";
 import type { BookStage } from "../stage/book_stage.ts";
 import { caseSizes } from "../stage/case_sizes.ts";
+import { pageWidthIn, paperSize } from "../stage/page_width.ts";
 import { CornerPeek } from "./corner_peek.ts";
 import { Drags } from "./drag.ts";
 import { FaceTextures } from "./face_textures.ts";
 import { TickCounter } from "./frame_timing.ts";
-
-/** Square root of a page area of 140 x 210 mm, in metres: every book has paper of this size. */
-const paperSize = Math.sqrt(0.14 * 0.21);
 
 /** How a book is to be bound, and how it looks. */
 export interface BindingOptions extends LayoutOptions {
@@ -46,7 +44,7 @@ export interface BindingOptions extends LayoutOptions {
 export interface Bindable {
   readonly source: Pick<
     PageSource,
-    "pageCount" | "direction" | "edge" | "layout" | "inSpread" | "kind"
+    "pageCount" | "direction" | "edge" | "layout" | "inSpread" | "kind" | "mayFace"
   >;
   /** A page's size in the source's unit, and its width over its height: others once it is measured anew. */
   leaf: PageSize;
@@ -86,7 +84,11 @@ export function layOutBinding(
   const edge = edgeFor(options.binding, source);
   const isQuarterTurned = edge === "top" || edge === "bottom";
   const requested = options.layout === "auto" ? (source.layout ?? "auto") : options.layout;
-  const usual = layoutFor(requested, book.aspect, isQuarterTurned, width, height, before);
+  const frame = { aspect: book.aspect, quarterTurned: isQuarterTurned, cover, margin };
+  const wide = (layout: Layout): number => pageWidthIn({ width, height }, layout, frame);
+  const mayFace = source.mayFace?.(wide("spread"), wide("single")) ?? true;
+  const place = [width, height] as const;
+  const usual = layoutFor(requested, book.aspect, isQuarterTurned, ...place, before, mayFace);
   const hardPages = pagesNamed(options.hardPages, pageCount);
   const places = placePages(pageCount, options, source.inSpread?.bind(source));
   const bindIn = (layout: Layout): Binding =>

@@ -59,6 +59,11 @@ export class Rebinder {
     return this.#bound;
   }
 
+  /** Whether the open page is shown by itself, in a book that shows spreads. */
+  get isAside(): boolean {
+    return this.#bound.binding.layout !== this.#usual;
+  }
+
   /** Whether `bindAnew` has something to do. */
   get hasPending(): boolean {
     return this.#mustBind || this.#changes.length > 0;

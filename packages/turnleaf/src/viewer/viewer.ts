@@ -248,6 +248,17 @@ export class Viewer {
     };
   }
 
+  /**
+   * How wide a page of the open book is shown, CSS pixels, where it is not zoomed; 0 before the book
+   * has a size, and while a page is shown by itself that others are not like.
+   */
+  get pageWidth(): number {
+    if (this.#cssWidth === 0 || this.#rebinder.isAside) return 0;
+    const { from, to } = this.#camera.lookAtRest(() => this.bounds);
+    const { alone, quarterTurned } = this.#bound.shape;
+    return (to.x - from.x) / (alone !== 0 || quarterTurned ? 1 : 2);
+  }
+
   /** The drags of pointers on it; replaced with every binding. */
   get drags(): Drags {
     return this.#bound.drags;
@@ -310,6 +321,7 @@ export class Viewer {
       this.#rebinder.bindSoon();
       this.#bindSoon();
     }
+    this.#options.onPageWidth?.();
     this.#show();
   }
 
@@ -654,6 +666,7 @@ export class Viewer {
     this.#stillHistory.forget();
     const { edge, layout } = this.binding;
     if (edge !== before.edge || layout !== before.layout) this.#options.onLayout?.();
+    this.#options.onPageWidth?.();
     const now = pageOf(this.binding, this.turning.spread);
     if (now !== page && !isRenumbered) this.#options.onPage?.(page, now);
     this.#show();

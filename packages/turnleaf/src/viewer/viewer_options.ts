@@ -77,6 +77,8 @@ export interface ViewerOptions extends Partial<BindingOptions> {
    * whether leaves are in flight.
    */
   readonly onMotion?: (pose: BookPose, seconds: number, moving: boolean) => void;
+  /** Pages may be shown in another width. */
+  readonly onPageWidth?: () => void;
   /** The layout or the binding has changed. */
   readonly onLayout?: () => void;
   /** Bound anew, the book at rest has another first visible page (from 1), of the same pages. */

@@ -88,16 +88,32 @@ export interface ControlTexts {
   readonly type: string;
   readonly typeSize: string;
   readonly typeface: string;
+  /** Sets it one step smaller, and larger. */
+  readonly smallerType: string;
+  readonly largerType: string;
   readonly lineHeight: string;
   readonly margins: string;
+  /** Less and more of a choice, whose name is `{name}`. */
+  readonly lessOf: string;
+  readonly moreOf: string;
+  /** Whether lines are of one length, and whether words are divided. */
+  readonly alignment: string;
+  readonly justified: string;
+  readonly ragged: string;
+  readonly hyphens: string;
+  readonly on: string;
+  readonly off: string;
+  readonly letterSpacing: string;
+  readonly wordSpacing: string;
+  /** Some words to be set as the reader chooses. */
+  readonly typeSample: string;
   readonly paper: string;
   /** The choice of what the book itself says. */
   readonly asInBook: string;
+  /** The same in few letters. */
+  readonly booksOwn: string;
   readonly serif: string;
   readonly sansSerif: string;
-  readonly narrow: string;
-  readonly usual: string;
-  readonly wide: string;
   readonly sepia: string;
   readonly night: string;
   readonly noContents: string;

@@ -26,7 +26,9 @@ import type { LaidChapter } from "./laid_chapter.ts";
 import { Narrator } from "./narrator.ts";
 import { NumberedPages } from "./numbered_pages.ts";
 import { SectionLengths } from "./page_estimate.ts";
+import { mayFace, paperback } from "./page_measures.ts";
 import type { SectionPage } from "./page_numbers.ts";
+import { RunningHeads } from "./running_heads.ts";
 import { SectionContents } from "./section_contents.ts";
 import {
   anchorOf,
@@ -36,7 +38,7 @@ import {
   placeOfPage,
   type TextPlace,
 } from "./text_place.ts";
-import { ownTypography, paperback, paperOf } from "./typography.ts";
+import { ownTypography, paperOf } from "./typography.ts";
 
 /** Sections about the reader's place: those of two open pages, and one beside them. */
 const nearSections = 3;
@@ -46,6 +48,9 @@ const longestWait = 300;
 
 /** The fraction by which the shown number of pages may be off before it is corrected while pages are counted. */
 const mostOff = 0.05;
+
+/** Drawn pages whose numbers are known: more than are kept as pictures. */
+const mostDrawn = 200;
 
 /** Sections that the links of one page may have laid out, to find where they lead. */
 const mostTargets = 4;
@@ -93,6 +98,9 @@ export class FlowSource implements PageSource {
   /** The sections that were drawn last, the last one first. */
   #recent: readonly number[] = [0];
   readonly #ended: AbortController;
+  readonly #heads: RunningHeads;
+  /** The pages that were drawn last, which have their numbers on them. */
+  readonly #drawn = new Set<number>();
 
   /** Returns a book's pages. Rejects with a `BookError` if its only section cannot be laid out. */
   static async open(book: FlowBook, typography: Typography = ownTypography): Promise<FlowSource> {
@@ -134,6 +142,7 @@ export class FlowSource implements PageSource {
     this.#warnings = warnings;
     this.#lengths = lengths;
     this.#ended = ended;
+    this.#heads = new RunningHeads(book);
     this.#pages = new NumberedPages(book.sections.length, edition);
     if (book.sections.some(({ isFixed }) => !isFixed)) {
       this.typeset = (typography) => this.#typeset(typography);
@@ -163,6 +172,10 @@ export class FlowSource implements PageSource {
 
   watchWarnings(listener: () => void): void {
     this.#warnings.watch(listener);
+  }
+
+  mayFace(width: number, alone: number): boolean {
+    return !this.typeset || mayFace(this.#edition.typography, width, alone);
   }
 
   get isEstimated(): boolean {
@@ -206,7 +219,11 @@ export class FlowSource implements PageSource {
     const size = laid.layoutSize;
     // Its pages were estimated.
     const isBlank = page < 0 || page >= laid.map.pageCount;
-    const svg = isBlank ? blank(size, paperOf(this.#edition.typography)) : await laid.svg(page);
+    const margins = this.#heads.marginsOf(section, page, index + 1, laid.map);
+    this.#keepDrawn(index);
+    const svg = isBlank
+      ? blank(size, paperOf(this.#edition.typography))
+      : await laid.svg(page, margins);
     const picture = await drawMarkup(svg, size, region, width).catch(async (error: unknown) => {
       const isAllowed = await drawMarkup(blank(size, "#fff"), size, wholePage, 1).then(
         (drawn) => drawn.close() ?? true,
@@ -525,13 +542,36 @@ export class FlowSource implements PageSource {
     this.#isDue = false;
     this.narration?.forgetPages();
     const next = this.#next;
-    if (next === null) return this.#pages.change(this.#edition);
+    if (next === null) return this.#renumbered(this.#pages.change(this.#edition));
     const before = this.#edition;
     this.#next = null;
     const moved = this.#pages.change(next);
     before.close();
     this.#counting = this.#layRest(next);
+    this.#drawn.clear();
     return moved;
+  }
+
+  /** Has the pages drawn anew that have another number, once they have it. */
+  #renumbered(moved: NewIndex): NewIndex {
+    const drawn = [...this.#drawn];
+    this.#drawn.clear();
+    queueMicrotask(() => {
+      for (const index of drawn) {
+        const now = moved(index);
+        if (now === null || this.#isClosed) continue;
+        this.#drawn.add(now);
+        if (now !== index) this.#onDrawing?.(now);
+      }
+    });
+    return moved;
+  }
+
+  #keepDrawn(index: number): void {
+    this.#drawn.delete(index);
+    this.#drawn.add(index);
+    const [oldest] = this.#drawn;
+    if (this.#drawn.size > mostDrawn && oldest !== undefined) this.#drawn.delete(oldest);
   }
 
   /**

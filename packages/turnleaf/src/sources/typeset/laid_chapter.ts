@@ -9,6 +9,7 @@ import {
   type SectionMap,
   type SpokenMark,
 } from "./laid_section.ts";
+import type { PageMargins } from "./markup.ts";
 
 /** Pieces of a chapter that are kept in their frames: the one that is read, and those beside it. */
 const keptPieces = 3;
@@ -85,9 +86,9 @@ export class LaidChapter {
     this.map = joined(pieces);
   }
 
-  /** Returns a page as an SVG. */
-  svg(page: number): Promise<string> {
-    return this.#on(page, (laid, own) => laid.svg(own));
+  /** Returns a page as an SVG, with what stands in its margins. */
+  svg(page: number, margins: PageMargins): Promise<string> {
+    return this.#on(page, (laid, own) => laid.svg(own, margins));
   }
 
   /** Returns the text of a page. */

@@ -1,6 +1,7 @@
 import { cleanText } from "../book_text.ts";
 import { isPageSize, limits } from "../limits.ts";
 import type { PageBox, PageSize, TextRun, Typography } from "../page_source.ts";
+import { alignText } from "./align_text.ts";
 import { fitBoxes } from "./fit_boxes.ts";
 import {
   type FlowContent,
@@ -20,16 +21,16 @@ import {
   ownStyle,
   unmoved,
 } from "./frame.ts";
-import { Markup } from "./markup.ts";
+import { divideWords } from "./hyphenation/divide_words.ts";
+import { type MarginStyle, Markup, type PageMargins } from "./markup.ts";
 import { blankIds, isNoteLink, noteText } from "./notes.ts";
+import { measuresOf, type PageMeasures, paperback } from "./page_measures.ts";
 import { type PageFlow, pageOfRect, TextMap } from "./text_map.ts";
+import { isTypeface, typefaceRules } from "./typefaces/typefaces.ts";
 import {
   baseStyle,
   columnStyle,
   fixedStyle,
-  measuresOf,
-  type PageMeasures,
-  paperback,
   paperOf,
   readerStyle,
   rollStyle,
@@ -38,6 +39,9 @@ import { writingOf } from "./writing_direction.ts";
 
 /** The root's type size, from which the book's own is reckoned. */
 const rootSize = 16;
+
+/** Size of the running head and of the page's number, CSS pixels, whatever size is chosen for the text. */
+const marginSize = 12;
 
 /** The class of what is read aloud, where the book names none, and its style. */
 const spokenClass = "turnleaf-read-aloud";
@@ -154,11 +158,15 @@ export class LaidSection {
     }
   }
 
-  /** Returns a page as an SVG. */
-  svg(page: number): string {
+  /**
+   * Returns a page as an SVG.
+   *
+   * @param margins what stands in its margins
+   */
+  svg(page: number, margins: PageMargins): string {
     const { stepX, stepY } = this.#flow;
     this.#markup ??= this.#makeMarkup();
-    return this.#markup.svg(page, -page * stepX, -page * stepY);
+    return this.#markup.svg(page, -page * stepX, -page * stepY, margins);
   }
 
   /** Returns the text of a page. */
@@ -300,7 +308,9 @@ async function layIn<T>(
   const body = html.querySelector("body") ?? html;
   const view = frame.document.defaultView as Window;
   const reader = readerStyle(typography);
+  const { font } = typography;
   const own = [baseStyle, ...content.styles];
+  if (!content.size && isTypeface(font)) own.unshift(await typefaceRules(font));
   let flow: PageFlow = { stepX: 0, stepY: 0, isVertical: false };
   frame.adopt([...own, reader]);
   const { writingMode, direction } = writingOf(body, view);
@@ -321,6 +331,10 @@ async function layIn<T>(
   html.style.setProperty("font-size", rem, "important");
   frame.drawing.style.setProperty("font-size", rem, "important");
   frame.adopt(own);
+  if (!content.size) {
+    alignText(body, typography.align);
+    if (typography.hyphens !== "none") await divideWords(body);
+  }
   await loadedIn(frame, html);
   if (!content.size) {
     const area = { width: page.width - 2 * page.sides, height: page.height - 2 * page.ends };
@@ -351,7 +365,15 @@ async function layIn<T>(
   };
   const text = new TextMap(body, flow, pageCount);
   const styles = withUsedFonts([spokenStyle, ...own], frame);
-  const markup = (): Markup => new Markup(html, { styles, size, rem, paper, flow });
+  const margins: MarginStyle | null =
+    content.size || isSliced
+      ? null
+      : {
+          size: marginSize / typography.size,
+          ends: page.ends,
+          line: page.width - 2 * page.sides,
+        };
+  const markup = (): Markup => new Markup(html, { styles, size, rem, paper, flow, margins });
   return done(
     frame,
     flow,

@@ -1,7 +1,7 @@
 /** A section as markup, from which each page is drawn as an SVG of its own. */
 
 import { limits } from "../limits.ts";
-import { xmlOf } from "../markup/xml.ts";
+import { xmlOf, xmlText } from "../markup/xml.ts";
 import type { PageSize } from "../page_source.ts";
 import { pixelsAttribute } from "./flow_book.ts";
 import { drawingOf, ownStyle } from "./frame.ts";
@@ -20,6 +20,28 @@ const pictureData = /(data:[^,:"<&]{0,200};base64,[\w+/=]*)/;
 /** A picture of no colour. */
 const clear = "data:image/gif;base64,R0lGODlhAQABAAAAACH5BAEKAAEALAAAAAABAAEAAAICTAEAOw==";
 
+/** What stands in the margins of a page; "" for nothing. */
+export interface PageMargins {
+  /** Above its text, and below it. */
+  readonly head: string;
+  readonly folio: string;
+}
+
+/** How what stands in the margins is set. */
+export interface MarginStyle {
+  /** Size of its type, CSS pixels of the page as it is laid out. */
+  readonly size: number;
+  /** Height of the margins, and width of the text between them, likewise. */
+  readonly ends: number;
+  readonly line: number;
+}
+
+/** Opacity of what stands in the margins, less black than the text: of black on white, a contrast of 8 : 1. */
+const marginOpacity = 0.7;
+
+/** How wide a letter of it is on the average, over the size of its type. */
+const marginLetter = 0.6;
+
 /** How a section is drawn. */
 export interface MarkupStyle {
   readonly styles: readonly string[];
@@ -28,6 +50,8 @@ export interface MarkupStyle {
   readonly rem: string;
   /** The paper's colour. */
   readonly paper: string;
+  /** How its margins are set; null if nothing stands there. */
+  readonly margins: MarginStyle | null;
   readonly flow: PageFlow;
 }
 
@@ -45,6 +69,7 @@ export class Markup {
   readonly #parts: readonly (string | Picture)[];
   readonly #styles: string;
   readonly #paper: string;
+  readonly #ink: string;
 
   /** @param html the section's element, laid out */
   constructor(html: Element, style: MarkupStyle) {
@@ -56,10 +81,15 @@ export class Markup {
     this.#parts = markup.split(pictureData).map((part) => pictures.get(part) ?? part);
     this.#styles = styleElements(style.styles);
     this.#paper = paperOf(html, view) ?? style.paper;
+    this.#ink = view.getComputedStyle(html.querySelector("body") ?? html).color;
   }
 
-  /** Returns a page as an SVG, its section moved by some CSS pixels. */
-  svg(page: number, x: number, y: number): string {
+  /**
+   * Returns a page as an SVG, its section moved by some CSS pixels.
+   *
+   * @param margins what stands in its margins
+   */
+  svg(page: number, x: number, y: number, margins: PageMargins): string {
     const { size, rem } = this.#style;
     const { width, height } = size;
     const shown = this.#shownOn(page);
@@ -73,7 +103,28 @@ export class Markup {
       `${sized}; position: relative; overflow: hidden`,
       `${sized}; position: absolute; left: 0; top: 0; font-size: 16px; transform: translate(${x}px, ${y}px)`,
     ].map(ownStyle);
-    return `<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${height}" viewBox="0 0 ${width} ${height}" style="${whole}">${this.#styles}<rect width="${width}" height="${height}" style="${paper}"/><foreignObject width="${width}" height="${height}" style="${ownStyle(sized)}"><div xmlns="${xhtml}" style="${view}"><div style="${section}">${html}</div></div></foreignObject></svg>`;
+    return `<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${height}" viewBox="0 0 ${width} ${height}" style="${whole}">${this.#styles}<rect width="${width}" height="${height}" style="${paper}"/><foreignObject width="${width}" height="${height}" style="${ownStyle(sized)}"><div xmlns="${xhtml}" style="${view}"><div style="${section}">${html}</div></div></foreignObject>${this.#inMargins(margins)}</svg>`;
+  }
+
+  /** Returns what stands in the margins as SVG: in the middle, as far from the text as from the edge or a little nearer. */
+  #inMargins({ head, folio }: PageMargins): string {
+    const { margins, size } = this.#style;
+    // Nothing stands in margins that are hardly higher than it.
+    if (margins === null || margins.ends < 2 * margins.size) return "";
+    const { ends, line } = margins;
+    const put = (text: string, y: number, look: string): string => {
+      const most = Math.floor(line / (marginLetter * margins.size));
+      const short = text.length > most ? `${text.slice(0, most - 1).trimEnd()}…` : text;
+      const style = ownStyle(
+        `font: ${margins.size}px Georgia, "Liberation Serif", "Times New Roman", serif; fill: ${this.#ink}; fill-opacity: ${marginOpacity}; text-anchor: middle; ${look}`,
+      );
+      if (text === "") return "";
+      return `<text x="${size.width / 2}" y="${y}" style='${style}'>${xmlText(short)}</text>`;
+    };
+    const caps = "font-variant: small-caps; letter-spacing: 0.06em";
+    return (
+      put(head, 0.62 * ends, caps) + put(folio, size.height - 0.45 * ends, "letter-spacing: 0.03em")
+    );
   }
 
   /** Returns the pictures that are seen on a page, as many in order as have pixels that can be drawn. */

@@ -3,10 +3,7 @@
 import type { Typography } from "../page_source.ts";
 import type { FlowSection } from "./flow_book.ts";
 import type { SectionMap } from "./laid_section.ts";
-import { measuresOf } from "./typography.ts";
-
-/** The usual type: how wide a letter is on the average, with spaces, and how high a line, CSS pixels. */
-const usualType = { letter: 7, line: 23.2 };
+import { measuresOf, usualType } from "./page_measures.ts";
 
 /** Letters of a line of print in which sections are measured: those of a page of usual type. */
 const lineLetters = 54;

@@ -26,6 +26,10 @@ export class SectionContents {
         code: "noPage",
         source: this.#book.name,
       });
+    // By it words are divided, and letters of some languages drawn.
+    const { root } = content;
+    const isKnown = root.hasAttribute("lang") || root.hasAttribute("xml:lang");
+    if (!isKnown && this.#book.language !== "") root.setAttribute("lang", this.#book.language);
     if (!isKept) return content;
     this.#kept.delete(section);
     this.#kept.set(section, content);

@@ -58,7 +58,8 @@ export class TextMap {
         pieces.push(piece);
         for (let page = piece.first; page <= piece.last; page++) {
           const within = page === piece.first ? 0 : this.#firstOn(node as Text, page);
-          starts[page] ??= offset + within;
+          const before = within === 0 ? 0 : countOf((node as Text).data.slice(0, within));
+          starts[page] ??= offset + before;
         }
       }
       offset += length;
@@ -186,6 +187,7 @@ export class TextMap {
       if (on === page && letters !== "") {
         const box = this.#onPage(rect, page);
         if (line === null || !continues(line, box, isVertical)) {
+          if (line !== null && isWithinWord(text, k)) endInWord(line);
           line = { text: "", box, boxes: [] };
           lines.push(line);
         }
@@ -299,5 +301,22 @@ function isText(node: Node): node is Text {
 
 /** Returns the characters that a piece counts. */
 function lengthOf(node: Piece["node"]): number {
-  return node.textContent?.length ?? 0;
+  return countOf(node.textContent ?? "");
+}
+
+/** Returns the number of a text's characters, but for the soft hyphens, which come and go as the reader chooses. */
+function countOf(text: string): number {
+  return text.length - (text.match(/\u00ad/g)?.length ?? 0);
+}
+
+/** Returns whether a word of letters that are divided at a line's end goes on at a character. */
+function isWithinWord(text: string, at: number): boolean {
+  const letter = /[\p{Script=Latin}\p{Script=Greek}\p{Script=Cyrillic}]/u;
+  return letter.test(text.charAt(at - 1)) && letter.test(text.charAt(at));
+}
+
+/** Ends a line with the hyphen that the browser has put there. */
+function endInWord(line: Line): void {
+  line.text += "\u00ad";
+  line.boxes.push(...line.boxes.slice(-1));
 }

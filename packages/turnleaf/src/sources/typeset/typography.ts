@@ -3,6 +3,8 @@
 import { areaDeclarations } from "../markup/paged_css.ts";
 import type { PageSize, Typography } from "../page_source.ts";
 import { pieceStyle } from "./divide.ts";
+import type { PageMeasures } from "./page_measures.ts";
+import { familyOf, isTypeface } from "./typefaces/typefaces.ts";
 
 /** Typography as the book has it. */
 export const ownTypography: Typography = {
@@ -10,14 +12,13 @@ export const ownTypography: Typography = {
   size: 1,
   lineHeight: 0,
   margins: 1,
+  align: "",
+  hyphens: "",
+  letterSpacing: 0,
+  wordSpacing: 0,
   colours: "",
+  width: 0,
 };
-
-/** A page of flowing text, whatever the size of its type, in CSS pixels: a paperback of 129 by 198 mm (B format). */
-export const paperback: PageSize = { width: 488, height: 748 };
-
-/** Usual margins as fractions of the page's width: 14 mm at the sides, 16 at head and foot. */
-const usualMargin = { sides: 14 / 129, ends: 16 / 129 };
 
 /** Ink and paper. */
 const colours = {
@@ -25,24 +26,6 @@ const colours = {
   sepia: { ink: "#3b2d1f", paper: "#f4ecd8" },
   night: { ink: "#c9c5bd", paper: "#1c1b1a" },
 } as const;
-
-/** A page's measures in CSS pixels. */
-export interface PageMeasures extends PageSize {
-  /** Margins at the left and right, and at the head and foot. */
-  readonly sides: number;
-  readonly ends: number;
-}
-
-/**
- * Returns a page's measures. Larger type is a smaller page that is shown as
- * large: so everything in it grows alike, whatever units the book uses.
- */
-export function measuresOf({ size, margins }: Typography): PageMeasures {
-  const width = Math.round(paperback.width / size);
-  const height = Math.round((width * paperback.height) / paperback.width);
-  const scaled = (part: number): number => Math.round(part * margins * width);
-  return { width, height, sides: scaled(usualMargin.sides), ends: scaled(usualMargin.ends) };
-}
 
 /** Returns the paper's colour. */
 export function paperOf(typography: Typography): string {
@@ -67,16 +50,28 @@ a { color: inherit; }
 const textElements =
   "html, body, div, section, article, p, li, dd, dt, blockquote, td, th, span, em, i, strong, b, a, small";
 
+/** Returns a typeface as CSS has it, with what stands in for letters that it lacks. */
+export function stackOf(font: Exclude<Typography["font"], "">): string {
+  return isTypeface(font) ? `${familyOf(font)}, sans-serif` : font;
+}
+
 /** Returns the style sheet above the book's own. */
 export function readerStyle(typography: Typography): string {
-  const { font, lineHeight } = typography;
+  const { font, lineHeight, hyphens, letterSpacing, wordSpacing } = typography;
   const { ink } = colours[typography.colours];
   const rules = [];
-  if (font !== "") rules.push(`${textElements} { font-family: ${font} !important; }`);
+  if (font !== "") rules.push(`${textElements} { font-family: ${stackOf(font)} !important; }`);
   if (lineHeight > 0) {
     rules.push(
       `html, body, div, section, article, p, li, dd, dt, blockquote { line-height: ${lineHeight} !important; }`,
     );
+  }
+  if (hyphens !== "") rules.push(`${textElements} { hyphens: ${hyphens} !important; }`);
+  for (const [name, space] of [
+    ["letter-spacing", letterSpacing],
+    ["word-spacing", wordSpacing],
+  ] as const) {
+    if (space > 0) rules.push(`${textElements} { ${name}: ${space}em !important; }`);
   }
   if (typography.colours !== "") {
     rules.push(

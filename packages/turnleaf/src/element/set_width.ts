@@ -1,0 +1,78 @@
+/** The width for which flowing text is set: that at which pages are shown, in steps. */
+
+import { layoutFor } from "../book/layout.ts";
+import type { Layout } from "../book/spreads.ts";
+import type { Typography } from "../sources/page_source.ts";
+import { mayFace, paperback } from "../sources/typeset/page_measures.ts";
+import { pageWidthIn } from "../stage/page_width.ts";
+import type { BindingOptions } from "../viewer/bound_book.ts";
+
+/**
+ * The fraction by which pages may be shown larger or smaller than they are set: of type of 16 px,
+ * half a pixel. Within it a change of size sets nothing anew.
+ */
+const step = 1 / 32;
+
+/** Milliseconds for which a size stays before text is set for it: an edge that is dragged moves with every frame. */
+const settling = 200;
+
+/** What a width is expected by. */
+export type ExpectedBy = Pick<BindingOptions, "binding" | "cover" | "layout" | "margin">;
+
+/**
+ * Returns in which layout and about how wide pages of flowing text are about to be shown in a place
+ * of some CSS pixels; 0 if the place has no size.
+ */
+export function expectedWidth(
+  width: number,
+  height: number,
+  { binding, cover, layout: requested, margin }: ExpectedBy,
+  typography: Omit<Typography, "width">,
+): { readonly layout: Layout; readonly width: number } {
+  const aspect = paperback.width / paperback.height;
+  const quarterTurned = binding === "top" || binding === "bottom";
+  const wide = (layout: Layout): number =>
+    pageWidthIn({ width, height }, layout, { aspect, quarterTurned, cover, margin });
+  const mayBoth = mayFace(typography, wide("spread"), wide("single"));
+  const layout = layoutFor(requested, aspect, quarterTurned, width, height, null, mayBoth);
+  return { layout, width: wide(layout) };
+}
+
+/** Follows the width at which pages are shown, and has their text set anew once it is clearly another. */
+export class SetWidth {
+  /** The width for which text is set, CSS pixels; 0 if it is unknown. */
+  width = 0;
+  readonly #shown: () => number;
+  readonly #changed: () => void;
+  #timer: ReturnType<typeof setTimeout> | undefined;
+
+  /**
+   * @param shown returns how wide pages are shown; 0 while that is unknown
+   * @param changed called once `width` is another
+   */
+  constructor(shown: () => number, changed: () => void) {
+    this.#shown = shown;
+    this.#changed = changed;
+  }
+
+  /** Call it when pages may be shown in another size. */
+  follow(): void {
+    this.stop();
+    if (this.#suits()) return;
+    this.#timer = setTimeout(() => {
+      if (this.#suits()) return;
+      this.width = this.#shown();
+      this.#changed();
+    }, settling);
+  }
+
+  /** Call it when the book closes. */
+  stop(): void {
+    clearTimeout(this.#timer);
+  }
+
+  #suits(): boolean {
+    const shown = this.#shown();
+    return shown === 0 || Math.abs(shown / this.width - 1) <= step;
+  }
+}
