@@ -23,7 +23,7 @@ export const bindingAttributes: readonly string[] = [
   "stocks",
 ];
 
-const covers = ["hard", "soft", "none"] as const;
+const covers = ["auto", "hard", "soft", "none"] as const;
 const bindings = ["auto", "left", "right", "top", "bottom"] as const;
 const layouts = ["auto", "spread", "single"] as const;
 const cameras = ["reader", "overhead"] as const;

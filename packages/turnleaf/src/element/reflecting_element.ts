@@ -171,11 +171,12 @@ export class ReflectingElement extends Base {
   }
 
   /**
-   * The first and the last leaf: boards (`hard`), card (`soft`), or paper like
-   * the rest (`none`).
+   * The first and the last leaf: boards (`hard`), card (`soft`), or paper like the rest (`none`). By
+   * default (`auto`) a book is in boards, with its cover's picture on the front, or its title and
+   * authors where it has none; a PDF or text without a cover is paper.
    *
    * @attribute cover
-   * @default hard
+   * @default auto
    */
   get cover(): Options["cover"] {
     return bindingOptionsOf(this).cover;

@@ -8,6 +8,7 @@ import type {
   PageSize,
   PageSource,
 } from "../sources/page_source.ts";
+import { coverStamp } from "./cover_stamp.ts";
 import {
   foldAt,
   isFoldOut,
@@ -317,6 +318,13 @@ export class PageBitmaps {
   /** Blank paper. */
   get bare(): PagePicture {
     return this.#keep("bare", () => barePage(this.#aspect));
+  }
+
+  /** Returns the title that is stamped on a front board of a cloth without a page; null if it stays plain. */
+  stampOn(cloth: string): PagePicture | null {
+    const { cover } = this.#source;
+    if (cover !== "stamped" && cover !== "none") return null;
+    return this.#keep(`stamp ${cloth}`, () => coverStamp(this.#source, this.#aspect, cloth));
   }
 
   /** Whether the visible pages are as sharp as requested, or have failed. */

@@ -133,6 +133,18 @@ export class PageList implements PageSource {
     return this.first.widthInMetres?.(size);
   }
 
+  /** The first source's; without the page that is its cover the boards are stamped. */
+  get cover(): PageSource["cover"] {
+    const { first } = this;
+    const [entry] = this.#entries;
+    const isLost = entry?.source !== first || entry.index > 0;
+    return first.cover === "picture" && isLost ? "stamped" : first.cover;
+  }
+
+  get authors(): PageSource["authors"] {
+    return this.first.authors;
+  }
+
   get kind(): "typeset" | "scan" {
     return this.first.kind;
   }

@@ -241,6 +241,15 @@ export interface PageSource {
   readonly layout?: "spread" | "single";
   /** What the book's owner wants to be shown of it: rights, a required statement. */
   readonly details?: readonly BookDetail[];
+  /**
+   * How the book is covered: its first page is the `picture` of the front board, and nothing else lies
+   * on the boards; it has no picture, and its boards are `stamped` with its title and authors; it is a
+   * document that has no boards (`none`). The default is that pages lie on the boards too, as in a
+   * scan of a whole book.
+   */
+  readonly cover?: "picture" | "stamped" | "none" | undefined;
+  /** Who wrote the book, as a cover names them. The default is nobody. */
+  readonly authors?: readonly string[] | undefined;
   /** Typeset pages keep paper shading to their own white; scans must not be brightened. */
   readonly kind: "typeset" | "scan";
   /** Size of page `index` (from 0). Rejects with a `BookError`. */

@@ -1,6 +1,13 @@
 /** A book under one binding. Each change of binding makes a new one, shown by the same stage. */
 
-import { edgeFor, type LayoutOptions, layoutFor, pagesNamed, placePages } from "../book/layout.ts";
+import {
+  coverFor,
+  edgeFor,
+  type LayoutOptions,
+  layoutFor,
+  pagesNamed,
+  placePages,
+} from "../book/layout.ts";
 import { nextTo } from "../book/leaf_order.ts";
 import { bookThickness, type StockRun, stockRuns } from "../book/leaf_stocks.ts";
 import {
@@ -46,7 +53,7 @@ export interface BindingOptions extends LayoutOptions {
 export interface Bindable {
   readonly source: Pick<
     PageSource,
-    "pageCount" | "direction" | "edge" | "layout" | "inSpread" | "kind"
+    "pageCount" | "direction" | "edge" | "layout" | "inSpread" | "kind" | "cover"
   >;
   /** A page's size in the source's unit, and its width over its height: others once it is measured anew. */
   leaf: PageSize;
@@ -82,13 +89,14 @@ export function layOutBinding(
 ): BindingLayout {
   const { source } = book;
   const { pageCount, kind } = source;
-  const { cover, cloth, shadows, camera, tilt, margin } = options;
+  const { cloth, shadows, camera, tilt, margin } = options;
+  const { cover, boards } = coverFor(options.cover, source.cover, pageCount);
   const edge = edgeFor(options.binding, source);
   const isQuarterTurned = edge === "top" || edge === "bottom";
   const requested = options.layout === "auto" ? (source.layout ?? "auto") : options.layout;
   const usual = layoutFor(requested, book.aspect, isQuarterTurned, width, height, before);
   const hardPages = pagesNamed(options.hardPages, pageCount);
-  const places = placePages(pageCount, options, source.inSpread?.bind(source));
+  const places = placePages(pageCount, options, source.inSpread?.bind(source), boards);
   const bindIn = (layout: Layout): Binding =>
     bind(pageCount, cover, { edge, layout, hardPages, ...places });
   const inUsual = bindIn(usual);
@@ -167,7 +175,7 @@ export class BoundBook {
     this.turning = turning;
     this.peek = peek;
     this.drags = new Drags({ engine, stage, binding, turning, peek, shape, moved: events.moved });
-    this.faceTextures = new FaceTextures(binding, stage, turning, pictures);
+    this.faceTextures = new FaceTextures(binding, stage, turning, pictures, shape.cloth);
     this.ticks = new TickCounter(engine.tick);
   }
 

@@ -85,7 +85,7 @@ export interface ViewerOptions extends Partial<BindingOptions> {
 
 /** The default binding. */
 export const defaultBinding: BindingOptions = {
-  cover: "hard",
+  cover: "auto",
   cloth: "#6a2a26",
   shadows: 1,
   camera: "reader",

@@ -139,11 +139,11 @@ export function inOrder(names: readonly string[]): string[] {
   return paths.map(({ name }) => name);
 }
 
-/** Returns scans with the front cover before all others, if one is named so. */
+/** Returns scans with the front cover before all others, if ComicInfo.xml or its own name says that it is one. */
 function coverFirst(scans: readonly Scan[]): readonly Scan[] {
-  const isCover = ({ path }: Scan): boolean =>
+  const isNamed = ({ path }: Scan): boolean =>
     coverName.test((path.split("/").pop() ?? "").replace(/\.[^.]*$/, ""));
-  const cover = scans.find(isCover);
+  const cover = scans.find(({ isFront }) => isFront) ?? scans.find(isNamed);
   const ordered = cover ? [cover, ...scans.filter((scan) => scan !== cover)] : scans;
   return ordered.map((scan, index) => ({
     ...scan,
@@ -175,6 +175,8 @@ interface Scan {
   /** Whether ComicInfo.xml says that it is of two pages; null if it does not say. */
   readonly double: boolean | null;
   readonly bookmark: string;
+  /** Whether ComicInfo.xml says that it is the front cover. */
+  readonly isFront: boolean;
   /** Whether it is the first or the last, which are covers. */
   readonly isCover: boolean;
 }
@@ -203,6 +205,7 @@ async function measureAll(
         size: start && start.type !== "" ? await sizeOf(start, archive, path) : null,
         double: page?.double ?? null,
         bookmark: page?.bookmark ?? "",
+        isFront: page?.isCover ?? false,
         isCover: false,
       };
     }

@@ -70,6 +70,8 @@ export class FlowSource implements PageSource {
   readonly direction: "ltr" | "rtl";
   readonly kind = "typeset";
   readonly layout?: "spread" | "single";
+  readonly cover: PageSource["cover"];
+  readonly authors: readonly string[];
   readonly details: readonly BookDetail[];
   /** Sets the book in another typography; absent if all its pages are of fixed layout. */
   readonly typeset?: (typography: Typography) => Promise<void>;
@@ -128,7 +130,10 @@ export class FlowSource implements PageSource {
     this.language = book.language;
     this.direction = book.direction;
     if (book.layout) this.layout = book.layout;
+    this.cover = book.cover;
     this.details = book.details ?? [];
+    // A name without a word about it is an author's.
+    this.authors = this.details.filter(({ label }) => label === "").map(({ value }) => value);
     this.#book = book;
     this.#contents = contents;
     this.#warnings = warnings;

@@ -20,6 +20,7 @@ import {
   ownStyle,
   unmoved,
 } from "./frame.ts";
+import { bleed } from "./lone_picture.ts";
 import { Markup } from "./markup.ts";
 import { blankIds, isNoteLink, noteText } from "./notes.ts";
 import { type PageFlow, pageOfRect, TextMap } from "./text_map.ts";
@@ -287,7 +288,7 @@ async function layIn<T>(
   isScrolled: boolean,
   done: (...parts: MadeParts) => T,
 ): Promise<T> {
-  const page = measuresOf(typography);
+  let page = measuresOf(typography);
   let size = content.size ?? { width: page.width, height: page.height };
   const html = frame.document.importNode(content.root, true) as HTMLElement;
   applyInlineStyles(html);
@@ -314,16 +315,22 @@ async function layIn<T>(
       ? { stepX: 0, stepY: page.height, isVertical }
       : { stepX: direction === "rtl" ? -page.width : page.width, stepY: 0, isVertical };
     html.style.setProperty("writing-mode", writingMode, "important");
-    own.push(reader, columnStyle(page, isVertical, direction));
   }
+  const inColumns =
+    content.size || isSliced ? [] : [reader, columnStyle(page, isVertical, direction)];
   // What the book calls the root's size is that of its own <html>.
   const rem = view.getComputedStyle(html).fontSize;
   html.style.setProperty("font-size", rem, "important");
   frame.drawing.style.setProperty("font-size", rem, "important");
-  frame.adopt(own);
+  frame.adopt([...own, ...inColumns]);
   await loadedIn(frame, html);
-  if (!content.size) {
-    const area = { width: page.width - 2 * page.sides, height: page.height - 2 * page.ends };
+  const area = { width: page.width - 2 * page.sides, height: page.height - 2 * page.ends };
+  if (inColumns.length > 0 && (await bleed(html, area, page))) {
+    page = { ...page, sides: 0, ends: 0 };
+    own.push(reader, columnStyle(page, isVertical, direction));
+    frame.adopt(own);
+  } else if (!content.size) {
+    own.push(...inColumns);
     // A roll has no ends that anything could be cut at.
     fitBoxes(body, isSliced ? { ...area, height: Number.POSITIVE_INFINITY } : area, writingMode);
   }
