@@ -650,6 +650,13 @@ export class TurnleafBook extends ReaderElement {
     return Math.min(Math.max(Math.round(page) || 1, 1), source?.pageCount ?? page);
   }
 
+  /** Returns whether a book opens at its beginning because nobody has named a page. */
+  #opensShut(source: PageList): boolean {
+    const left = this.#left?.page ?? null;
+    const named = this.#asked.page ?? this.keptPage(source, left) ?? source.openingPage;
+    return named === undefined && pageNumber(this.getAttribute("page")) === null;
+  }
+
   /** Prepares for another book: it opens at its beginning, without the other's bookmarks. */
   #forget(): void {
     this.forgetBook();
@@ -797,6 +804,7 @@ export class TurnleafBook extends ReaderElement {
       ...binding,
       paper: () => this.#leaves,
       page: () => this.#firstPage(source),
+      opensShut: () => this.#opensShut(source),
       turnSeconds: () => turnSecondsOf(this),
       filmFrames: this.filmFrames,
       model: () => this,

@@ -35,6 +35,11 @@ export interface ViewerOptions extends Partial<BindingOptions> {
   readonly paper: () => Paper;
   /** Returns the page (from 1) at which the book first lies open; called when it does. */
   readonly page: () => number;
+  /**
+   * Returns whether a book whose front board has no page first lies shut, rather than open at its first
+   * page; called likewise. The default is no.
+   */
+  readonly opensShut?: () => boolean;
   /** Returns the length of a played turn in seconds; called likewise. */
   readonly turnSeconds: () => number;
   /**

@@ -317,9 +317,10 @@ export class WebGLStage implements BookStage {
   /** Returns the print of a page on the pixels of the screen; null if it is seen aslant. */
   #gridOf(side: PageFace): PrintGrid | null {
     const { closedRight, closedLeft } = this.#book.framing;
-    const isShut = !this.#shape.fromAbove && closedRight + closedLeft > 0;
-    if (this.#texels === 0 || isShut) return null;
-    const { quarterTurned, height, width, thickness } = this.#shape;
+    const { cover, fromAbove, quarterTurned, height, width, thickness } = this.#shape;
+    // On its way between open and shut, and shut, a book in boards is seen aslant.
+    const isAslant = cover === "hard" && !fromAbove && closedRight + closedLeft > 0;
+    if (this.#texels === 0 || isAslant) return null;
     const texels = this.#texels;
     const onScreen = ({ x, y }: Place) => [x * this.#ratio, y * this.#ratio] as const;
     const [u, v] = [side === "left" ? 1 : 0, 0.5];
