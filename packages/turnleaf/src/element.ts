@@ -29,6 +29,7 @@ import { placeOf } from "./element/fold_lists.ts";
 import type { PageChanges } from "./element/page_changes.ts";
 import type { PageLists } from "./element/page_lists.ts";
 import { pageNumber, RequestedPage } from "./element/page_numbers.ts";
+import { darkPagesOf, pageThemeOf, watchScheme } from "./element/page_theme.ts";
 import { ReaderElement } from "./element/reader_element.ts";
 import { openPages, ShadowTree } from "./element/shadow_tree.ts";
 import { SoundAndHaptics } from "./element/sound_and_haptics.ts";
@@ -39,6 +40,7 @@ import { loadPart } from "./sources/load_part.ts";
 import type { BookInput } from "./sources/open.ts";
 import type { PageList } from "./sources/page_list.ts";
 import { BookError, type NewIndex, type Typography } from "./sources/page_source.ts";
+import { coloursOf } from "./stage/themes.ts";
 import type { Viewer, ViewerOptions, Zoom } from "./viewer/viewer.ts";
 import type { FilmFrames } from "./viewer/viewer_options.ts";
 import { elementTexts, fill, languageOf, loadLanguage, percent } from "./words/languages.ts";
@@ -119,6 +121,8 @@ export class TurnleafBook extends ReaderElement {
   #input: BookInput | null = null;
   #paper: Paper | null = null;
   readonly #asked = new RequestedPage();
+  /** Ends what follows the system while the element is in a document. */
+  #watching: AbortController | null = null;
   /** The page where this book was last closed. */
   #left: { readonly page: number; readonly anchor?: string; readonly view: Zoom } | null = null;
   /** The page that has been set in this task; null if none has. */
@@ -557,6 +561,9 @@ export class TurnleafBook extends ReaderElement {
     this.#connected = true;
     this.connectReader();
     this.#updateControls();
+    this.#watching = new AbortController();
+    const view = this.ownerDocument.defaultView ?? window;
+    watchScheme(view, () => this.#recolour(), this.#watching.signal);
     void this.#speak(false);
     this.#children.observe(this, { childList: true });
     this.#reopen();
@@ -578,6 +585,7 @@ export class TurnleafBook extends ReaderElement {
     this.#asked.failed();
     this.disconnectReader();
     this.#connected = false;
+    this.#watching?.abort();
     this.#children.disconnect();
     this.#updateControls();
     // Inserted again it opens the whole book, without the pages that were added.
@@ -604,6 +612,7 @@ export class TurnleafBook extends ReaderElement {
       if (this.#input === null) this.#openAnew();
     },
     rebind: () => this.#viewer?.rebind(this.#binding),
+    recolour: () => this.#recolour(),
     listPages: (name, list) => {
       this.listPages(name, list);
       this.#viewer?.rebind(this.#binding);
@@ -620,7 +629,10 @@ export class TurnleafBook extends ReaderElement {
       if (this.#viewer) this.#viewer.turning.seconds = turnSecondsOf(this);
     },
     keepPlace: () => void this.#keepPlace(),
-    updateControls: () => this.#updateControls(),
+    updateControls: () => {
+      this.#updateControls();
+      this.#recolour();
+    },
     stopSound: () => this.#soundAndHaptics.close(),
     allowFolding: () => this.foldOpened(),
     allowTearing: () => void this.#allowTearing(),
@@ -797,7 +809,31 @@ export class TurnleafBook extends ReaderElement {
     return { ...bindingOptionsOf(this), shifts, hardPages, stocks };
   }
 
+  /**
+   * What is done now with the pages of the open book that are drawn already: "" if the theme is not
+   * dark, or all pages are text that is set in its colours, or elements.
+   *
+   * @internal
+   */
+  get darkPagesNow(): ReturnType<typeof darkPagesOf> {
+    const { source } = this;
+    return source ? source.darkened(this.page - 1) : "";
+  }
+
+  /** Shows the book in the colours that the attributes and the system say. */
+  #recolour(): void {
+    const book = this.#life.book;
+    const theme = pageThemeOf(this);
+    if (!book) return;
+    const colours = coloursOf(theme, darkPagesOf(this));
+    if (JSON.stringify(colours) === JSON.stringify(book.source.colours)) return;
+    book.source.colours = colours;
+    book.viewer.recolour(theme);
+    book.roll?.recolour();
+  }
+
   #options(source: PageList): ViewerOptions {
+    source.colours = coloursOf(pageThemeOf(this), darkPagesOf(this));
     const binding = this.#binding;
     this.#openedBy.binding = JSON.stringify(binding);
     return {

@@ -3,15 +3,18 @@
 import type { ControlledBook } from "./book.ts";
 import { make } from "./make.ts";
 import type { PanelTab } from "./panel.ts";
+import { ThemeRow } from "./theme_row.ts";
 import type { Wording } from "./wording.ts";
 
 /** One choice a row; each is an attribute of the element. */
 export class TypeTab implements PanelTab {
   readonly element: HTMLElement = make("div", { class: "view" });
   readonly #book: ControlledBook;
+  readonly #themes: ThemeRow;
   readonly #selects = new Map<string, HTMLSelectElement>();
 
-  constructor(book: ControlledBook, { texts, number }: Wording) {
+  constructor(book: ControlledBook, wording: Wording) {
+    const { texts, number } = wording;
     this.#book = book;
     const own: readonly [string, string] = ["", texts.asInBook];
     const sizes = [0.7, 0.8, 0.9, 1, 1.1, 1.25, 1.5, 1.75, 2, 2.5];
@@ -35,7 +38,8 @@ export class TypeTab implements PanelTab {
       ["", texts.usual],
       ["1.5", texts.wide],
     ]);
-    this.#add("page-colours", texts.paper, [own, ["sepia", texts.sepia], ["night", texts.night]]);
+    this.#themes = new ThemeRow(book, wording, "radio");
+    this.element.append(this.#themes.element);
   }
 
   show(): void {
@@ -45,6 +49,7 @@ export class TypeTab implements PanelTab {
   hide(): void {}
 
   refresh(): void {
+    this.#themes.refresh();
     for (const [name, select] of this.#selects) select.value = this.#book.getAttribute(name) ?? "";
   }
 

@@ -42,7 +42,7 @@ test("the reader chooses in a tab, which other books do not have", async () => {
     "Paper",
   ]);
   const changed = happens(element, "pageschange");
-  for (const [k, value] of ["2", "serif", "1.6", "0.5", "sepia"].entries()) {
+  for (const [k, value] of ["2", "serif", "1.6", "0.5"].entries()) {
     const choice = choices[k] as HTMLSelectElement;
     choice.value = value;
     choice.dispatchEvent(new Event("change"));
@@ -54,7 +54,6 @@ test("the reader chooses in a tab, which other books do not have", async () => {
     1.6,
     0.5,
   ]);
-  expect(element.pageColours).toBe("sepia");
   const canvas = document.createElement("canvas");
   const loaded = happens(element, "load");
   element.pages = [canvas.toDataURL()];

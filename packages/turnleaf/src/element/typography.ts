@@ -3,13 +3,7 @@
 import type { Typography } from "../sources/page_source.ts";
 
 /** Attributes that say how flowing text is set. */
-export const typographyAttributes = [
-  "font",
-  "font-size",
-  "line-height",
-  "margins",
-  "page-colours",
-] as const;
+export const typographyAttributes = ["font", "font-size", "line-height", "margins"] as const;
 
 /** Returns what the attributes say; an invalid value counts as missing. */
 export function typographyOf(element: Element): Typography {
@@ -24,6 +18,5 @@ export function typographyOf(element: Element): Typography {
     size: number("font-size", 0.5, 3, 1),
     lineHeight: number("line-height", 1, 3, 0),
     margins: number("margins", 0, 2, 1),
-    colours: word("page-colours", ["sepia", "night"]),
   };
 }

@@ -19,7 +19,7 @@ const attributeProps = [
   "fontSize",
   "lineHeight",
   "margins",
-  "pageColours",
+  "darkPages",
   "cloth",
   "shadows",
   "camera",

@@ -170,8 +170,22 @@ export interface Typography {
   readonly lineHeight: number;
   /** The width of the margins, as a factor of the usual ones: 0 to 2. */
   readonly margins: number;
-  /** The colours of paper and ink; "" for the book's own. */
-  readonly colours: "" | "sepia" | "night";
+}
+
+/** The colours in which the reader wants pages. CSS colours of six digits. */
+export interface PageColours {
+  /** The colour of paper. */
+  readonly paper: string;
+  /** The colour of print. */
+  readonly ink: string;
+  /** Whether the paper is darker than the print. */
+  readonly isDark: boolean;
+  /**
+   * What is done on dark paper with pages that are no text which is set for the reader: lightness is
+   * turned over and hues stay (`invert`), or they are dimmed (`dim`). By default documents are inverted,
+   * and pictures dimmed.
+   */
+  readonly pictures: "" | "invert" | "dim";
 }
 
 /** A passage that is read aloud: some text of a book, and the part of a recording that is its sound. */
@@ -285,8 +299,22 @@ export interface PageSource {
    * @param region the part of the page to draw, as fractions of its width and
    * height from its top left corner; `width` is then the region's. The default
    * is all of it.
+   * @param colours those of paper and print; the default is the page's own. Only pages whose
+   * `colouring` is `text` have to heed them.
    */
-  draw(index: number, width: number, signal: AbortSignal, region?: PageBox): Promise<PagePicture>;
+  draw(
+    index: number,
+    width: number,
+    signal: AbortSignal,
+    region?: PageBox,
+    colours?: PageColours | null,
+  ): Promise<PagePicture>;
+  /**
+   * Returns what page `index` (from 0) is in other colours: `text` that `draw` sets in them, ink on
+   * paper (`print`), or a `picture`, whose colours are its own. The default is print if the book is
+   * typeset, and a picture if it is scanned.
+   */
+  colouring?(index: number): "text" | "print" | "picture";
   /** What the book's owner permits. The default is everything. */
   readonly allows?: { readonly print: boolean; readonly copy: boolean };
   /**

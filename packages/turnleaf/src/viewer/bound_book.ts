@@ -27,6 +27,7 @@ import type { PageSize, PageSource } from "../sources/page_source.ts";
 import type { BookPose, BookShape } from "../stage/book_pose.ts";
 import type { BookStage } from "../stage/book_stage.ts";
 import { caseSizes } from "../stage/case_sizes.ts";
+import type { PageTheme } from "../stage/themes.ts";
 import { CornerPeek } from "./corner_peek.ts";
 import { Drags } from "./drag.ts";
 import { FaceTextures } from "./face_textures.ts";
@@ -39,6 +40,8 @@ const paperSize = Math.sqrt(0.14 * 0.21);
 export interface BindingOptions extends LayoutOptions {
   /** CSS colour of the boards. */
   readonly cloth: string;
+  /** The colours of paper, edges and boards. */
+  readonly theme: PageTheme;
   /** Strength of the shadows of leaves on pages, 0 to 1. */
   readonly shadows: number;
   /** From where it is seen: where a reader sits, or right above. */
@@ -89,7 +92,7 @@ export function layOutBinding(
 ): BindingLayout {
   const { source } = book;
   const { pageCount, kind } = source;
-  const { cloth, shadows, camera, tilt, margin } = options;
+  const { cloth, theme, shadows, camera, tilt, margin } = options;
   const { cover, boards } = coverFor(options.cover, source.cover, pageCount);
   const edge = edgeFor(options.binding, source);
   const isQuarterTurned = edge === "top" || edge === "bottom";
@@ -116,6 +119,7 @@ export function layOutBinding(
     cover: binding.hardCover ? "hard" : "none",
     rim: binding.hardCover ? caseSizes.rim : 0,
     cloth,
+    theme,
     shadows,
     fromAbove: camera === "overhead",
     tilt,

@@ -92,6 +92,7 @@ export interface ViewerOptions extends Partial<BindingOptions> {
 export const defaultBinding: BindingOptions = {
   cover: "auto",
   cloth: "#6a2a26",
+  theme: "light",
   shadows: 1,
   camera: "reader",
   tilt: 0,

@@ -83,14 +83,11 @@ export interface ControlTexts {
   readonly theme: string;
   readonly themeAuto: string;
   readonly themeLight: string;
-  readonly themeDark: string;
-  readonly themePaper: string;
   readonly type: string;
   readonly typeSize: string;
   readonly typeface: string;
   readonly lineHeight: string;
   readonly margins: string;
-  readonly paper: string;
   /** The choice of what the book itself says. */
   readonly asInBook: string;
   readonly serif: string;
@@ -99,7 +96,12 @@ export interface ControlTexts {
   readonly usual: string;
   readonly wide: string;
   readonly sepia: string;
+  readonly grey: string;
   readonly night: string;
+  /** Over the choice of what dark themes do with pages that are drawn already. */
+  readonly darkPages: string;
+  readonly inverted: string;
+  readonly dimmed: string;
   readonly noContents: string;
   /** Over a list of what cannot be shown of the book. */
   readonly notShown: Plural;

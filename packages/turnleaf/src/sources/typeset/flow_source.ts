@@ -7,6 +7,7 @@ import {
   type NewIndex,
   type OutlineEntry,
   type PageBox,
+  type PageColours,
   type PageLink,
   type PageMedium,
   type PagePicture,
@@ -36,7 +37,7 @@ import {
   placeOfPage,
   type TextPlace,
 } from "./text_place.ts";
-import { ownTypography, paperback, paperOf } from "./typography.ts";
+import { ownTypography, paperback } from "./typography.ts";
 
 /** Sections about the reader's place: those of two open pages, and one beside them. */
 const nearSections = 3;
@@ -191,6 +192,11 @@ export class FlowSource implements PageSource {
     return (side === "left") === (this.direction === "ltr") ? "first" : "second";
   }
 
+  colouring(index: number): "text" | "picture" {
+    const { section } = this.#pages.numbers.at(index);
+    return this.#book.sections[section]?.isFixed ? "picture" : "text";
+  }
+
   label(index: number): string {
     return String(index + 1);
   }
@@ -200,6 +206,7 @@ export class FlowSource implements PageSource {
     width: number,
     signal: AbortSignal,
     region: PageBox = wholePage,
+    colours: PageColours | null = null,
   ): Promise<PagePicture> {
     signal.throwIfAborted();
     const { section } = this.#at(index);
@@ -210,8 +217,10 @@ export class FlowSource implements PageSource {
     laid.mark(this.narration?.markIn(section) ?? null);
     const size = laid.layoutSize;
     // Its pages were estimated.
+    const own = this.colouring(index) === "text" ? colours : null;
+    const paper = own?.paper ?? "#fff";
     const isBlank = page < 0 || page >= laid.map.pageCount;
-    const svg = isBlank ? blank(size, paperOf(this.#edition.typography)) : await laid.svg(page);
+    const svg = isBlank ? blank(size, paper) : await laid.svg(page, own);
     const picture = await drawMarkup(svg, size, region, width).catch(async (error: unknown) => {
       const isAllowed = await drawMarkup(blank(size, "#fff"), size, wholePage, 1).then(
         (drawn) => drawn.close() ?? true,

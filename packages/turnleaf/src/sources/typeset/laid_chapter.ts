@@ -1,4 +1,4 @@
-import type { PageSize, TextRun, Typography } from "../page_source.ts";
+import type { PageColours, PageSize, TextRun, Typography } from "../page_source.ts";
 import { divide } from "./divide.ts";
 import type { FlowContent } from "./flow_book.ts";
 import {
@@ -85,9 +85,9 @@ export class LaidChapter {
     this.map = joined(pieces);
   }
 
-  /** Returns a page as an SVG. */
-  svg(page: number): Promise<string> {
-    return this.#on(page, (laid, own) => laid.svg(own));
+  /** Returns a page as an SVG, in colours of the reader's if there are any. */
+  svg(page: number, colours: PageColours | null): Promise<string> {
+    return this.#on(page, (laid, own) => laid.svg(own, colours));
   }
 
   /** Returns the text of a page. */

@@ -1,6 +1,6 @@
 import { cleanText } from "../book_text.ts";
 import { isPageSize, limits } from "../limits.ts";
-import type { PageBox, PageSize, TextRun, Typography } from "../page_source.ts";
+import type { PageBox, PageColours, PageSize, TextRun, Typography } from "../page_source.ts";
 import { fitBoxes } from "./fit_boxes.ts";
 import {
   type FlowContent,
@@ -31,9 +31,9 @@ import {
   measuresOf,
   type PageMeasures,
   paperback,
-  paperOf,
   readerStyle,
   rollStyle,
+  spokenAttribute,
 } from "./typography.ts";
 import { writingOf } from "./writing_direction.ts";
 
@@ -155,11 +155,11 @@ export class LaidSection {
     }
   }
 
-  /** Returns a page as an SVG. */
-  svg(page: number): string {
+  /** Returns a page as an SVG, in colours of the reader's if there are any. */
+  svg(page: number, colours: PageColours | null): string {
     const { stepX, stepY } = this.#flow;
     this.#markup ??= this.#makeMarkup();
-    return this.#markup.svg(page, -page * stepX, -page * stepY);
+    return this.#markup.svg(page, -page * stepX, -page * stepY, colours);
   }
 
   /** Returns the text of a page. */
@@ -233,7 +233,9 @@ export class LaidSection {
     ] as const) {
       if (mark === null) continue;
       if (mark.playbackClass !== "") this.#html.classList.toggle(mark.playbackClass, isOn);
-      this.#element(mark.id)?.classList.toggle(mark.activeClass || spokenClass, isOn);
+      const element = this.#element(mark.id);
+      element?.classList.toggle(mark.activeClass || spokenClass, isOn);
+      element?.toggleAttribute(spokenAttribute, isOn);
     }
     this.#spoken = spoken;
     this.#markup = null;
@@ -344,7 +346,6 @@ async function layIn<T>(
       ? sliceCount(html, page)
       : unmoved(frame, () => extentOf(html, flow, page));
   const pageCount = Math.ceil(extent);
-  const paper = content.size ? "#fff" : paperOf(typography);
   const map = {
     pageCount,
     extent,
@@ -358,7 +359,7 @@ async function layIn<T>(
   };
   const text = new TextMap(body, flow, pageCount);
   const styles = withUsedFonts([spokenStyle, ...own], frame);
-  const markup = (): Markup => new Markup(html, { styles, size, rem, paper, flow });
+  const markup = (): Markup => new Markup(html, { styles, size, rem, flow });
   return done(
     frame,
     flow,

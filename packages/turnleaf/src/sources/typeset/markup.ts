@@ -2,11 +2,12 @@
 
 import { limits } from "../limits.ts";
 import { xmlOf } from "../markup/xml.ts";
-import type { PageSize } from "../page_source.ts";
+import type { PageColours, PageSize } from "../page_source.ts";
 import { pixelsAttribute } from "./flow_book.ts";
 import { drawingOf, ownStyle } from "./frame.ts";
 import { styleElements } from "./style_elements.ts";
 import { type PageFlow, pageOfRect } from "./text_map.ts";
+import { colourStyle } from "./typography.ts";
 
 const xhtml = "http://www.w3.org/1999/xhtml";
 
@@ -26,8 +27,6 @@ export interface MarkupStyle {
   readonly size: PageSize;
   /** The root's type size, a CSS length. */
   readonly rem: string;
-  /** The paper's colour. */
-  readonly paper: string;
   readonly flow: PageFlow;
 }
 
@@ -55,12 +54,13 @@ export class Markup {
     // Gone through once, however many pictures there are.
     this.#parts = markup.split(pictureData).map((part) => pictures.get(part) ?? part);
     this.#styles = styleElements(style.styles);
-    this.#paper = paperOf(html, view) ?? style.paper;
+    this.#paper = paperOf(html, view) ?? "#fff";
   }
 
   /** Returns a page as an SVG, its section moved by some CSS pixels. */
-  svg(page: number, x: number, y: number): string {
+  svg(page: number, x: number, y: number, colours: PageColours | null): string {
     const { size, rem } = this.#style;
+    const own = colours ? styleElements([colourStyle(colours)]) : "";
     const { width, height } = size;
     const shown = this.#shownOn(page);
     const html = this.#parts
@@ -69,11 +69,11 @@ export class Markup {
     const sized = `display: block; width: ${width}px; height: ${height}px`;
     const [whole, paper, view, section] = [
       `${sized}; font-size: ${rem}`,
-      `${sized}; fill: ${this.#paper}`,
+      `${sized}; fill: ${colours?.paper ?? this.#paper}`,
       `${sized}; position: relative; overflow: hidden`,
       `${sized}; position: absolute; left: 0; top: 0; font-size: 16px; transform: translate(${x}px, ${y}px)`,
     ].map(ownStyle);
-    return `<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${height}" viewBox="0 0 ${width} ${height}" style="${whole}">${this.#styles}<rect width="${width}" height="${height}" style="${paper}"/><foreignObject width="${width}" height="${height}" style="${ownStyle(sized)}"><div xmlns="${xhtml}" style="${view}"><div style="${section}">${html}</div></div></foreignObject></svg>`;
+    return `<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${height}" viewBox="0 0 ${width} ${height}" style="${whole}">${this.#styles}${own}<rect width="${width}" height="${height}" style="${paper}"/><foreignObject width="${width}" height="${height}" style="${ownStyle(sized)}"><div xmlns="${xhtml}" style="${view}"><div style="${section}">${html}</div></div></foreignObject></svg>`;
   }
 
   /** Returns the pictures that are seen on a page, as many in order as have pixels that can be drawn. */

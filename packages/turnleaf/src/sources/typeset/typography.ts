@@ -1,7 +1,7 @@
 /** How flowing text is set: the style sheets that follow from what the reader chooses. */
 
 import { areaDeclarations } from "../markup/paged_css.ts";
-import type { PageSize, Typography } from "../page_source.ts";
+import type { PageColours, PageSize, Typography } from "../page_source.ts";
 import { pieceStyle } from "./divide.ts";
 
 /** Typography as the book has it. */
@@ -10,7 +10,6 @@ export const ownTypography: Typography = {
   size: 1,
   lineHeight: 0,
   margins: 1,
-  colours: "",
 };
 
 /** A page of flowing text, whatever the size of its type, in CSS pixels: a paperback of 129 by 198 mm (B format). */
@@ -18,13 +17,6 @@ export const paperback: PageSize = { width: 488, height: 748 };
 
 /** Usual margins as fractions of the page's width: 14 mm at the sides, 16 at head and foot. */
 const usualMargin = { sides: 14 / 129, ends: 16 / 129 };
-
-/** Ink and paper. */
-const colours = {
-  "": { ink: "#000", paper: "#fff" },
-  sepia: { ink: "#3b2d1f", paper: "#f4ecd8" },
-  night: { ink: "#c9c5bd", paper: "#1c1b1a" },
-} as const;
 
 /** A page's measures in CSS pixels. */
 export interface PageMeasures extends PageSize {
@@ -42,11 +34,6 @@ export function measuresOf({ size, margins }: Typography): PageMeasures {
   const height = Math.round((width * paperback.height) / paperback.width);
   const scaled = (part: number): number => Math.round(part * margins * width);
   return { width, height, sides: scaled(usualMargin.sides), ends: scaled(usualMargin.ends) };
-}
-
-/** Returns the paper's colour. */
-export function paperOf(typography: Typography): string {
-  return colours[typography.colours].paper;
 }
 
 /** The style sheet beneath the book's own. */
@@ -70,7 +57,6 @@ const textElements =
 /** Returns the style sheet above the book's own. */
 export function readerStyle(typography: Typography): string {
   const { font, lineHeight } = typography;
-  const { ink } = colours[typography.colours];
   const rules = [];
   if (font !== "") rules.push(`${textElements} { font-family: ${font} !important; }`);
   if (lineHeight > 0) {
@@ -78,12 +64,23 @@ export function readerStyle(typography: Typography): string {
       `html, body, div, section, article, p, li, dd, dt, blockquote { line-height: ${lineHeight} !important; }`,
     );
   }
-  if (typography.colours !== "") {
-    rules.push(
-      `${textElements}, h1, h2, h3, h4, h5, h6 { color: ${ink} !important; background: none !important; }`,
-    );
-  }
   return rules.join("\n");
+}
+
+/** The attribute of what is read aloud, which is seen in any colours. */
+export const spokenAttribute = "data-turnleaf-spoken";
+
+/**
+ * Returns the style sheet above all others where the reader chose colours. Pictures keep theirs; on dark
+ * paper those that are clear in part lie on white, as they are drawn for it.
+ */
+export function colourStyle({ ink, isDark }: PageColours): string {
+  const pictures = "img, svg, video, canvas, object";
+  return `
+:is(html, html *):not(svg *) { color: ${ink} !important; background: none !important; border-color: currentColor !important; text-shadow: none !important; }
+hr { background: currentColor !important; }
+[${spokenAttribute}], [${spokenAttribute}] * { color: #000 !important; background-color: #ffe27a !important; }
+${isDark ? `:is(${pictures}):not(svg *) { color: #000 !important; background: #fff !important; }` : ""}`;
 }
 
 /** The body of a section that is set into pages. */
