@@ -37,7 +37,7 @@ const pictures = {
   riffle: { page: 60, riffle: 870 },
   drag: { page: 18, drag: [0.82, 0.88, 0.6, 0.72] },
   phone: { page: 19, viewport: phone, scale: 2 },
-  dark: { page: 30, shown: { controls: true, theme: "dark" } },
+  dark: { page: 30, shown: { controls: true, theme: "night" } },
   zoom: { page: 19, zoom: [4, 0.62, 0.42] },
   "right-to-left": { example: "03-manga.html", page: 3, turn: 400 },
   calendar: {
@@ -318,7 +318,7 @@ async function take(browser, reader, examples, name) {
   // The book alone, on the warm desk, where nothing else is asked for.
   await page.evaluate((shown) => Object.assign(document.querySelector("turnleaf-book"), shown), {
     controls: false,
-    theme: "paper",
+    theme: "light",
     ...shown,
   });
   await settled();

@@ -274,7 +274,7 @@ it("16: a link is a book, with the theme that it names", async () => {
   await open("16-link", { width: 640, height: 440 });
   expect(await ask((book) => [book.pageCount, book.theme, book.controls])).toEqual([
     112,
-    "paper",
+    "sepia",
     true,
   ]);
   expect(await page.locator("a").count()).toBe(0);

@@ -16,7 +16,7 @@ const props = {
   src: "/book.pdf",
   page: 5,
   hardPages: "1-2",
-  theme: "dark",
+  theme: "night",
   controls: true,
   remember: false,
   assist: false,
@@ -46,7 +46,7 @@ test.each([
     "id=book",
     "page=5",
     "src=/book.pdf",
-    "theme=dark",
+    "theme=night",
   ]);
 });
 

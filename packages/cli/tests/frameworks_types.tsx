@@ -17,7 +17,7 @@ export function Reader(): ReactElement {
         src="book.pdf"
         page={page}
         controls
-        theme="dark"
+        theme="night"
         className="reader"
         style={{ height: "80vh" }}
         aria-label="Reader"

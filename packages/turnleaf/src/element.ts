@@ -1,5 +1,6 @@
 /** `<turnleaf-book>`: a book on a web page. */
 
+import { coverFor } from "./book/layout.ts";
 import type { PagePlace } from "./book/page_folds.ts";
 import type { Paper } from "./book/paper.ts";
 import {
@@ -29,6 +30,7 @@ import { placeOf } from "./element/fold_lists.ts";
 import type { PageChanges } from "./element/page_changes.ts";
 import type { PageLists } from "./element/page_lists.ts";
 import { pageNumber, RequestedPage } from "./element/page_numbers.ts";
+import { darkPagesOf, pageThemeOf, watchScheme } from "./element/page_theme.ts";
 import { ReaderElement } from "./element/reader_element.ts";
 import { expectedWidth, SetWidth } from "./element/set_width.ts";
 import { openPages, ShadowTree } from "./element/shadow_tree.ts";
@@ -40,6 +42,7 @@ import { loadPart } from "./sources/load_part.ts";
 import type { BookInput } from "./sources/open.ts";
 import type { PageList } from "./sources/page_list.ts";
 import { BookError, type NewIndex, type Typography } from "./sources/page_source.ts";
+import { coloursOf } from "./stage/themes.ts";
 import type { Viewer, ViewerOptions, Zoom } from "./viewer/viewer.ts";
 import type { FilmFrames } from "./viewer/viewer_options.ts";
 import { elementTexts, fill, languageOf, loadLanguage, percent } from "./words/languages.ts";
@@ -125,6 +128,8 @@ export class TurnleafBook extends ReaderElement {
   #input: BookInput | null = null;
   #paper: Paper | null = null;
   readonly #asked = new RequestedPage();
+  /** Ends what follows the system while the element is in a document. */
+  #watching: AbortController | null = null;
   /** The page where this book was last closed. */
   #left: { readonly page: number; readonly anchor?: string; readonly view: Zoom } | null = null;
   /** The page that has been set in this task; null if none has. */
@@ -563,6 +568,9 @@ export class TurnleafBook extends ReaderElement {
     this.#connected = true;
     this.connectReader();
     this.#updateControls();
+    this.#watching = new AbortController();
+    const view = this.ownerDocument.defaultView ?? window;
+    watchScheme(view, () => this.#recolour(), this.#watching.signal);
     void this.#speak(false);
     this.#children.observe(this, { childList: true });
     this.#reopen();
@@ -584,6 +592,7 @@ export class TurnleafBook extends ReaderElement {
     this.#asked.failed();
     this.disconnectReader();
     this.#connected = false;
+    this.#watching?.abort();
     this.#children.disconnect();
     this.#updateControls();
     // Inserted again it opens the whole book, without the pages that were added.
@@ -611,6 +620,7 @@ export class TurnleafBook extends ReaderElement {
       if (this.#input === null) this.#openAnew();
     },
     rebind: () => this.#viewer?.rebind(this.#binding),
+    recolour: () => this.#recolour(),
     listPages: (name, list) => {
       this.listPages(name, list);
       this.#viewer?.rebind(this.#binding);
@@ -627,7 +637,10 @@ export class TurnleafBook extends ReaderElement {
       if (this.#viewer) this.#viewer.turning.seconds = turnSecondsOf(this);
     },
     keepPlace: () => void this.#keepPlace(),
-    updateControls: () => this.#updateControls(),
+    updateControls: () => {
+      this.#updateControls();
+      this.#recolour();
+    },
     stopSound: () => this.#soundAndHaptics.close(),
     allowFolding: () => this.foldOpened(),
     allowTearing: () => void this.#allowTearing(),
@@ -655,6 +668,13 @@ export class TurnleafBook extends ReaderElement {
     const said = pageNumber(this.getAttribute("page")) ?? source?.openingPage ?? 1;
     const page = this.#asked.page ?? this.keptPage(source, this.#left?.page ?? null) ?? said;
     return Math.min(Math.max(Math.round(page) || 1, 1), source?.pageCount ?? page);
+  }
+
+  /** Returns whether a book opens at its beginning because nobody has named a page. */
+  #opensShut(source: PageList): boolean {
+    const left = this.#left?.page ?? null;
+    const named = this.#asked.page ?? this.keptPage(source, left) ?? source.openingPage;
+    return named === undefined && pageNumber(this.getAttribute("page")) === null;
   }
 
   /** Prepares for another book: it opens at its beginning, without the other's bookmarks. */
@@ -791,7 +811,12 @@ export class TurnleafBook extends ReaderElement {
     const { clientWidth, clientHeight } = this.#tree.stage;
     const binding = bindingOptionsOf(this);
     const layout = binding.layout === "auto" ? (source?.layout ?? "auto") : binding.layout;
-    return expectedWidth(clientWidth, clientHeight, { ...binding, layout }, typography);
+    const { cover } = coverFor(
+      binding.cover,
+      source?.cover,
+      source?.pageCount ?? Number.POSITIVE_INFINITY,
+    );
+    return expectedWidth(clientWidth, clientHeight, { ...binding, layout, cover }, typography);
   }
 
   /** Returns the book that the element's children are; "" if there are none yet. */
@@ -810,13 +835,38 @@ export class TurnleafBook extends ReaderElement {
     return { ...bindingOptionsOf(this), shifts, hardPages, stocks };
   }
 
+  /**
+   * What is done now with the pages of the open book that are drawn already: "" if the theme is not
+   * dark, or all pages are text that is set in its colours, or elements.
+   *
+   * @internal
+   */
+  get darkPagesNow(): ReturnType<typeof darkPagesOf> {
+    const { source } = this;
+    return source ? source.darkened(this.page - 1) : "";
+  }
+
+  /** Shows the book in the colours that the attributes and the system say. */
+  #recolour(): void {
+    const book = this.#life.book;
+    const theme = pageThemeOf(this);
+    if (!book) return;
+    const colours = coloursOf(theme, darkPagesOf(this));
+    if (JSON.stringify(colours) === JSON.stringify(book.source.colours)) return;
+    book.source.colours = colours;
+    book.viewer.recolour(theme);
+    book.roll?.recolour();
+  }
+
   #options(source: PageList): ViewerOptions {
+    source.colours = coloursOf(pageThemeOf(this), darkPagesOf(this));
     const binding = this.#binding;
     this.#openedBy.binding = JSON.stringify(binding);
     return {
       ...binding,
       paper: () => this.#leaves,
       page: () => this.#firstPage(source),
+      opensShut: () => this.#opensShut(source),
       turnSeconds: () => turnSecondsOf(this),
       filmFrames: this.filmFrames,
       model: () => this,

@@ -56,7 +56,7 @@ numbered pictures. Stopped, the same command goes on where it was.
   --seconds-per-turn S   how long a leaf is in the air (1)
   --pause S              how long the book lies still between turns or actions (1)
   --stock NAME           bible, book, office, coated or card (book)
-  --theme NAME           light, dark or paper: the desk (paper)
+  --theme NAME           light, sepia, grey or night (light)
   --chromium PATH        the browser; else CHROMIUM, else one on the PATH
 `;
 
@@ -102,7 +102,7 @@ export function parseFilm(args: readonly string[]): FilmCommand {
     turnSeconds: parseNumber("seconds-per-turn", values["seconds-per-turn"], 1, 0.1, 60),
     pauseSeconds: parseNumber("pause", values.pause, 1, 0, 60),
     stock: oneOf("stock", values.stock, ["book", "bible", "office", "coated", "card"]),
-    theme: oneOf("theme", values.theme, ["paper", "light", "dark"]),
+    theme: oneOf("theme", values.theme, ["light", "sepia", "grey", "night"]),
     chromium: values.chromium,
   };
 }

@@ -6,7 +6,7 @@ import { printable, UsageProblem } from "../problem.ts";
 const attributes: Readonly<Record<string, readonly string[] | null>> = {
   binding: ["auto", "left", "right", "top", "bottom"],
   layout: ["auto", "spread", "single"],
-  cover: ["hard", "soft", "none"],
+  cover: ["auto", "hard", "soft", "none"],
   offset: ["0", "1"],
   cloth: null,
   shadows: null,

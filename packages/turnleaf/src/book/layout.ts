@@ -1,10 +1,11 @@
 /** Chooses how a book is bound and laid out, from the options and the available space. */
 
-import { type CoverKind, countUpTo, type Edge, type Layout } from "./spreads.ts";
+import type { PageSource } from "../sources/page_source.ts";
+import { type BindOptions, type CoverKind, countUpTo, type Edge, type Layout } from "./spreads.ts";
 
 /** The requested layout; "auto" leaves the choice to the book or to the space. */
 export interface LayoutOptions {
-  readonly cover: CoverKind;
+  readonly cover: "auto" | CoverKind;
   readonly binding: "auto" | Edge;
   readonly layout: "auto" | Layout;
   readonly offset: 0 | 1;
@@ -25,14 +26,35 @@ export function edgeFor(
   return edge ?? (direction === "rtl" ? "right" : "left");
 }
 
+/** Minimum of pages of a book that is bound in boards which have none. */
+const leastBetweenBoards = 5;
+
+/**
+ * Returns what holds the leaves of a book, the requested cover or the book's own, and what its boards
+ * show: pages (undefined), its picture, or its title. A document that is asked to have boards has its
+ * title on them.
+ */
+export function coverFor(
+  requested: LayoutOptions["cover"],
+  own: PageSource["cover"],
+  pageCount: number,
+): { readonly cover: CoverKind; readonly boards: "picture" | "stamped" | undefined } {
+  const cover = requested === "auto" ? (own === "none" ? "none" : "hard") : requested;
+  if (cover !== "hard" || own === undefined) return { cover, boards: undefined };
+  if (own === "picture") return { cover, boards: "picture" };
+  return pageCount < leastBetweenBoards
+    ? { cover: "none", boards: undefined }
+    : { cover, boards: "stamped" };
+}
+
 /** Where pages lie in spreads: how a book is bound for that. */
 export interface PlacedPages {
   /** 1 if page 1 has nothing beside it. */
   readonly offset: 0 | 1;
   /** Pages (from 2, in order) before which a face is left bare; one named twice has two before it. */
   readonly bareBefore: readonly number[];
-  /** Whether no page lies on the boards of a hard cover. */
-  readonly bareBoards: boolean;
+  /** Which boards of a hard cover have no pages. */
+  readonly bareBoards: NonNullable<BindOptions["bareBoards"]>;
 }
 
 /**
@@ -53,11 +75,13 @@ type PlaceInSpread = "first" | "second" | "alone" | "single" | undefined;
  * @param shifts pages (from 1) before which a face is left bare, unless the
  * book wants the page elsewhere
  * @param inSpread returns what the book wants for page `index` (from 0)
+ * @param boards what the boards show, as `coverFor` returns it
  */
 export function placePages(
   pageCount: number,
   { offset, shifts }: Pick<LayoutOptions, "offset" | "shifts">,
   inSpread?: (index: number) => PlaceInSpread,
+  boards?: "picture" | "stamped",
 ): PlacedPages {
   const shifted = new Set(shifts);
   const bareBefore: number[] = [];
@@ -67,6 +91,11 @@ export function placePages(
   for (let page = 1; page <= pageCount; page++) {
     const place = inSpread?.(page - 1);
     if (page === 1) face = 1 - offset;
+    if (page === 2 && boards === "picture" && start === 1) {
+      // The inside of a board with a picture has none.
+      bareBefore.push(page);
+      face += 1;
+    }
     const isFirst = face % 2 === 1;
     const facesSingle = before === "single" && !isFirst;
     let bare: number;
@@ -79,7 +108,12 @@ export function placePages(
     face += bare + 1;
     before = place;
   }
-  return { offset: start, bareBefore, bareBoards: start === 0 || (offset === 0 && shifted.has(1)) };
+  const isBare = boards === "stamped" || start === 0 || (offset === 0 && shifted.has(1));
+  return {
+    offset: start,
+    bareBefore,
+    bareBoards: isBare ? "both" : boards === "picture" ? "back" : "none",
+  };
 }
 
 /**

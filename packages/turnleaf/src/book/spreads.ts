@@ -28,10 +28,10 @@ export interface BindOptions {
   /** 1, the default: page 1 has nothing beside it; 0: pages 1 and 2 face each other. */
   readonly offset?: 0 | 1;
   /**
-   * Whether the boards of a hard cover have no pages; by default where pages 1 and 2 face each
-   * other. It has no effect if each leaf has one page.
+   * Which boards of a hard cover have no pages. By default none, or both where pages 1 and 2 face
+   * each other.
    */
-  readonly bareBoards?: boolean;
+  readonly bareBoards?: "none" | "back" | "both";
   /** Pages (from 1) on leaves of board. */
   readonly hardPages?: Iterable<number>;
   /**
@@ -84,16 +84,17 @@ export function bind(pageCount: number, cover: CoverKind, options: BindOptions =
   const step = layout === "single" ? 2 : 1;
   const shifted = step === 1 && offset === 0;
   // If page 1 faces page 2, it has the back of its leaf to itself, and no page is left for a board.
-  const bareBoards = step === 1 && (options.bareBoards ?? shifted) && cover === "hard";
-  const lead = (bareBoards ? 2 : 0) + (shifted ? 1 : 0);
+  const bare = cover === "hard" ? (options.bareBoards ?? (shifted ? "both" : "none")) : "none";
+  const lead = (bare === "both" ? 2 : 0) + (shifted ? 1 : 0);
   const bareBefore = step === 1 ? (options.bareBefore ?? []) : [];
   const faces = lead + step * (pageCount - 1) + bareBefore.length + 1;
-  const leaves = Math.ceil(faces / 2) + (bareBoards ? 1 : 0);
+  const leaves = Math.ceil(faces / 2) + (bare === "none" ? 0 : 1);
   const hardCover = cover === "hard" && leaves >= leavesForBoards;
   const reversed = edge === "right" || edge === "bottom";
   // The book does not lie open at a spread that shows only bare paper.
   const begin = lead === 0 || hardCover ? 0 : 1;
-  const end = step === 2 || (faces < 2 * leaves && !hardCover) ? leaves - 1 : leaves;
+  const last = Math.ceil(faces / 2);
+  const end = step === 2 ? last - 1 : faces < 2 * leaves && !hardCover ? leaves - 1 : leaves;
   const binding = {
     pageCount,
     leaves,

@@ -5,13 +5,14 @@
 
 import type { PagePicture } from "../sources/page_source.ts";
 import type { FaceDetail } from "../stage/book_stage.ts";
+import { lookOf } from "../stage/themes.ts";
 import { stretchTo } from "./canvas_layout.ts";
 import {
   type Brush,
   drawDetail,
   fillBetween,
+  fillCloth,
   light,
-  paper,
   type Stops,
   shade,
 } from "./draw_book.ts";
@@ -79,8 +80,10 @@ export function drawBoard(brush: Brush, board: SeenBoard): void {
   pen.shadowColor = "rgb(29 21 14 / 0.45)";
   pen.shadowBlur = (0.02 + 0.16 * sin) * width * unit;
   pen.shadowOffsetY = (0.006 + 0.04 * sin) * width * unit;
-  pen.fillStyle = side === "leaf" ? paper : shape.cloth;
-  pen.fill();
+  if (side === "leaf") {
+    pen.fillStyle = lookOf(shape).paper;
+    pen.fill();
+  } else fillCloth(pen, shape, () => pen.fill());
   pen.restore();
   pen.clip();
   drawPicture(brush, board, rim, at);

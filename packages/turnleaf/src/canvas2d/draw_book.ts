@@ -8,6 +8,7 @@ import type { PagePicture } from "../sources/page_source.ts";
 import type { BookPose, BookShape } from "../stage/book_pose.ts";
 import type { FaceDetail } from "../stage/book_stage.ts";
 import { caseSizes } from "../stage/case_sizes.ts";
+import { lookOf } from "../stage/themes.ts";
 import {
   type Box,
   boardBox,
@@ -30,9 +31,6 @@ export interface Brush {
 
 /** Colour stops: position from 0 to 1, then a colour. */
 export type Stops = readonly (readonly [at: number, color: string])[];
-
-/** Paper without a picture. */
-export const paper = "#fbf5e8";
 
 /** Returns a warm shade of an opacity, as on paper lit by other paper. */
 export const shade = (opacity: number): string => `rgb(58 40 22 / ${opacity})`;
@@ -95,7 +93,7 @@ export function drawPage(
     drawDetail(pen, detail);
     pen.restore();
   } else {
-    pen.fillStyle = paper;
+    pen.fillStyle = lookOf(shape).paper;
     pen.fillRect(box[0], 0, width, height);
   }
   fillBetween(pen, [0, 0, sign * width, 0], sign === 1 ? rightGutter : leftGutter, box);
@@ -128,13 +126,16 @@ export function drawDetail(pen: CanvasRenderingContext2D, detail: FaceDetail | n
 /** Draws the edges of the leaves under a side's uppermost page, `thickness` metres of them. */
 export function drawStack({ pen, shape, unit }: Brush, sign: 1 | -1, thickness: number): void {
   const [out, down] = [stackFraction * thickness, stackDrop * thickness];
+  const { edges } = lookOf(shape);
   const layers = Math.min(Math.ceil((out * unit) / 1.4), 24);
   const { width, height } = shape;
   for (let k = layers; k > 0; k--) {
     const [dx, dy] = [(out * k) / layers, (down * k) / layers];
     // Irregular, as leaves are: even bands would beat with the pixels.
     const tone = 0.5 + 0.5 * Math.sin(k * 12.9898);
-    pen.fillStyle = `rgb(${238 - 26 * tone - k} ${229 - 27 * tone - k} ${211 - 29 * tone - k})`;
+    pen.fillStyle = edges;
+    pen.fillRect(sign === 1 ? 0 : -width - dx, dy, width + dx, height);
+    pen.fillStyle = shade(0.12 * tone + 0.005 * k);
     pen.fillRect(sign === 1 ? 0 : -width - dx, dy, width + dx, height);
   }
   if (layers > 0) {
@@ -184,8 +185,11 @@ export function drawCase({ pen, shape, unit }: Brush, pose: BookPose): void {
     height + rim + drop,
   ];
   drawShadow(pen, whole, width * unit);
-  pen.fillStyle = isHard ? shape.cloth : paper;
-  fillRounded(pen, whole, caseSizes.corner);
+  if (isHard) fillCloth(pen, shape, () => fillRounded(pen, whole, caseSizes.corner));
+  else {
+    pen.fillStyle = lookOf(shape).paper;
+    fillRounded(pen, whole, caseSizes.corner);
+  }
   if (!isHard) return;
   for (const box of sides) drawCloth(pen, box, unit);
 }
@@ -220,6 +224,17 @@ function drawShadow(
     pen.fillRect(left, top, right - left, bottom - top);
   }
   pen.restore();
+}
+
+/** Fills with a book's cloth what `fill` fills: darker by night. */
+export function fillCloth(pen: CanvasRenderingContext2D, shape: BookShape, fill: () => void): void {
+  pen.fillStyle = shape.cloth;
+  fill();
+  const { cloth } = lookOf(shape);
+  if (cloth === 1) return;
+  // What is multiplied in linear light is brighter on the screen.
+  pen.fillStyle = `rgb(0 0 0 / ${1 - cloth ** (1 / 2.2)})`;
+  fill();
 }
 
 /** Draws light and edges on a lying board. */

@@ -1,8 +1,9 @@
 /** A peeled leaf: the part that still lies flat, and the part that is folded over it. */
 
 import { Side } from "../engine/phases.ts";
+import { lookOf } from "../stage/themes.ts";
 import { pageBox } from "./canvas_layout.ts";
-import { type Brush, light, paper, type Stops, shade } from "./draw_book.ts";
+import { type Brush, light, type Stops, shade } from "./draw_book.ts";
 import type { DrawnPage } from "./drawn_page.ts";
 import { beyond, type FoldLine, foldLineOf, mirrored, type Point, partOf } from "./fold_line.ts";
 import type { PeeledSurface } from "./peeled_book.ts";
@@ -74,7 +75,7 @@ export function drawFolded(
   pen.shadowColor = `rgb(29 21 14 / ${0.42 * height * shape.shadows})`;
   pen.shadowBlur = 0.13 * height * shape.width * unit;
   pen.shadowOffsetY = 0.025 * height * shape.width * unit;
-  pen.fillStyle = paper;
+  pen.fillStyle = lookOf(shape).paper;
   trace(pen, outline);
   pen.fill();
   pen.restore();

@@ -21,7 +21,7 @@ async function faults(element: Element): Promise<string[]> {
 
 const hit = { page: 2, before: "the white ", text: "whale", after: " of it" };
 
-for (const theme of ["light", "dark", "paper"]) {
+for (const theme of ["light", "sepia", "grey", "night"]) {
   for (const width of [780, 390]) {
     test(`${theme}, ${width} pixels wide: nothing serious in any panel`, async () => {
       const { book, root } = addFakeBook(width, { hits: [hit], bookmarks: [2, 4] });

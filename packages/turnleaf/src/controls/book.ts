@@ -44,6 +44,8 @@ export interface ControlledBook<Hit extends FoundPlace = FoundPlace> extends HTM
   /** Whether it has something to be read aloud, and whether it is. */
   readonly canReadAloud: boolean;
   readonly readingAloud: boolean;
+  /** What a dark theme does with the pages that are drawn already; "" if it is none, or has none. */
+  readonly darkPagesNow: "" | "invert" | "dim";
   /** Whether its text can be set in another size, typeface and so on. */
   readonly canTypeset: boolean;
   /** What the book's owner and its source permit. */

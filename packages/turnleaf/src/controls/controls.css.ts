@@ -69,9 +69,7 @@ export const style: string = /* css */ `
 .hit { display: block; }
 .hit .label { display: block; font-size: 0.86em; }
 .hit mark { background: var(--turnleaf-mark); color: #2b2116; border-radius: 2px; padding: 0 1px; }
-.sample { box-sizing: border-box; height: 108px; margin: 0 4px 8px; padding: 12px 16px; overflow: hidden; border: 1px solid var(--turnleaf-line); border-radius: 10px; background: #fff; color: #000; overflow-wrap: break-word; }
-.sample[data-colours="sepia"] { background: #f4ecd8; color: #3b2d1f; }
-.sample[data-colours="night"] { background: #1c1b1a; color: #c9c5bd; }
+.sample { box-sizing: border-box; height: 108px; margin: 0 4px 8px; padding: 12px 16px; overflow: hidden; border: 1px solid var(--turnleaf-line); border-radius: 10px; overflow-wrap: break-word; }
 .choice { display: flex; flex-wrap: wrap; align-items: center; justify-content: space-between; gap: 2px 12px; min-height: 48px; padding-inline: 8px; }
 .what { color: var(--turnleaf-muted); }
 .segments, .stepper { display: flex; align-items: stretch; border-radius: 10px; background: var(--turnleaf-hover); }
@@ -99,7 +97,7 @@ export const style: string = /* css */ `
 .sheet { position: relative; list-style: none; margin: 0 12px; padding: 0; }
 .sheet li { position: absolute; width: 50%; height: 192px; }
 .sheet button { width: 100%; height: 100%; display: flex; flex-direction: column; align-items: center; justify-content: flex-end; gap: 6px; padding-bottom: 8px; border-radius: 10px; color: var(--turnleaf-muted); font-variant-numeric: tabular-nums; }
-.small { max-width: 104px; max-height: 150px; background: var(--turnleaf-page); filter: var(--turnleaf-dim); box-shadow: 0 1px 4px rgb(0 0 0 / 0.28); }
+.small { max-width: 104px; max-height: 150px; background: var(--turnleaf-page); box-shadow: 0 1px 4px rgb(0 0 0 / 0.28); }
 .small:not(.drawn) { width: 100px; height: 140px; opacity: 0.45; }
 .sheet .seen .small { box-shadow: 0 0 0 2px var(--turnleaf-surface), 0 0 0 4px var(--turnleaf-track); }
 .sheet [aria-current] { color: var(--turnleaf-accent); font-weight: 600; }
@@ -112,14 +110,21 @@ export const style: string = /* css */ `
 .menu [aria-checked="true"] { color: var(--turnleaf-accent); }
 .menu [aria-checked="true"] svg { color: inherit; }
 .menu [role="menuitemcheckbox"][aria-checked="true"]::after { content: ""; width: 11px; height: 6px; margin-inline-start: auto; border: solid currentColor; border-width: 0 0 2px 2px; rotate: -45deg; translate: 0 -2px; }
-.themes { display: grid; grid-template-columns: repeat(4, 1fr); margin-top: 6px; padding-top: 6px; border-top: 1px solid var(--turnleaf-line); }
-.themes button { flex-direction: column; justify-content: center; gap: 5px; padding: 8px 0; font-size: 0.86em; }
+.themes { margin-top: 6px; padding-top: 6px; border-top: 1px solid var(--turnleaf-line); }
+.swatches { display: grid; grid-template-columns: repeat(5, 1fr); }
+.themes button { min-height: 44px; border-radius: 8px; }
+.swatches button { display: flex; flex-direction: column; align-items: center; justify-content: center; gap: 5px; padding: 8px 2px; font-size: 0.86em; }
+.dark-pages { display: flex; align-items: center; gap: 4px; padding-inline-start: 10px; }
+.dark-pages .label { flex: 1; color: var(--turnleaf-muted); }
+.dark-pages button { width: auto; padding: 0 12px; }
+.themes [aria-checked="true"] { color: var(--turnleaf-accent); background: var(--turnleaf-hover); }
 .swatch { width: 26px; height: 26px; border-radius: 50%; border: 1px solid var(--turnleaf-muted); box-sizing: border-box; }
-.menu [aria-checked="true"] .swatch { outline: 2px solid; outline-offset: 2px; }
+[aria-checked="true"] .swatch { outline: 2px solid; outline-offset: 2px; }
 .swatch.light { background: #fbfaf8; }
-.swatch.dark { background: #26231f; }
-.swatch.paper { background: #ecdcb8; }
-.swatch.auto { background: linear-gradient(135deg, #fbfaf8 50%, #26231f 50%); }
+.swatch.sepia { background: #ecdcb8; }
+.swatch.grey { background: #55534f; }
+.swatch.night { background: #171614; }
+.swatch.auto { background: linear-gradient(135deg, #fbfaf8 50%, #171614 50%); }
 .dialog { padding: 20px 24px; min-width: 260px; box-sizing: border-box; max-width: calc(100vw - 32px); }
 .dialog::backdrop { background: rgb(0 0 0 / 0.35); }
 .dialog h2 { margin: 0 0 12px; font: 1.2em var(--turnleaf-serif); }

@@ -24,7 +24,7 @@ import { wordingFor } from "./wording.ts";
 export { askPassword } from "./password_dialog.ts";
 
 /** Attributes of the element that change what the controls show. */
-const watched = ["lang", "dir", "sound", "theme", "layout", ...typographyAttributes];
+const watched = ["lang", "dir", "sound", "theme", "dark-pages", "layout", ...typographyAttributes];
 
 /** The book's events that change what the controls show. */
 const heard = [
@@ -157,7 +157,13 @@ function build<Hit extends FoundPlace>(
   };
   book.addEventListener("load", opened, { signal });
   book.addEventListener("pageschange", renumbered, { signal });
-  const observer = new MutationObserver(refresh);
+  const observer = new MutationObserver((records) => {
+    // Pages have other colours.
+    if (records.some(({ attributeName }) => /^(theme|dark-pages)$/.test(attributeName ?? ""))) {
+      views.thumbnails.forget();
+    }
+    refresh();
+  });
   observer.observe(book, { attributeFilter: watched });
   watchFullScreen(book, frame, refresh, signal);
   watchTaps(frame, stage, isNarrow, signal);

@@ -3,9 +3,8 @@
 import type { Action, ActionName } from "./actions.ts";
 import type { ControlledBook } from "./book.ts";
 import { icon, make, roving, setIcon } from "./make.ts";
+import { ThemeRow } from "./theme_row.ts";
 import type { Wording } from "./wording.ts";
-
-const themes = ["auto", "light", "dark", "paper"] as const;
 
 /** The menu's order; those of the first line have a button of their own if there is space. */
 const inBar: readonly ActionName[] = ["zoomIn", "zoomOut", "layout", "fullscreen"];
@@ -31,7 +30,6 @@ const always: readonly ActionName[] = [
 export class Menu {
   readonly element: HTMLElement;
   readonly #opener: HTMLButtonElement;
-  readonly #book: ControlledBook;
   #refreshers: (() => void)[] = [];
 
   /** @param opener the button under which it opens */
@@ -41,7 +39,6 @@ export class Menu {
     actions: Readonly<Record<ActionName, Action>>,
     opener: HTMLButtonElement,
   ) {
-    this.#book = book;
     this.#opener = opener;
     this.element = make("div", {
       role: "menu",
@@ -52,7 +49,9 @@ export class Menu {
     });
     for (const name of inBar) this.#add(actions[name], "narrow");
     for (const name of always) this.#add(actions[name], "");
-    this.#addThemes(wording);
+    const themes = new ThemeRow(book, wording, "menuitemradio");
+    this.element.append(themes.element);
+    this.#refreshers.push(() => themes.refresh());
     opener.setAttribute("aria-haspopup", "menu");
     opener.setAttribute("aria-expanded", "false");
     opener.addEventListener("click", () => (this.element.hidden ? this.open() : this.close()));
@@ -112,30 +111,5 @@ export class Menu {
       if (action.disabled) item.ariaDisabled = String(action.disabled());
       if (action.hidden) item.hidden = action.hidden();
     });
-  }
-
-  #addThemes({ texts }: Wording): void {
-    const names = {
-      auto: texts.themeAuto,
-      light: texts.themeLight,
-      dark: texts.themeDark,
-      paper: texts.themePaper,
-    };
-    const group = make("div", { role: "group", class: "themes", "aria-label": texts.theme });
-    for (const theme of themes) {
-      const item = make("button", { type: "button", role: "menuitemradio", tabindex: -1 });
-      item.append(make("i", { class: `swatch ${theme}` }), make("span", {}, names[theme]));
-      item.addEventListener("click", () => {
-        this.#book.setAttribute("theme", theme);
-        this.refresh();
-      });
-      group.append(item);
-      this.#refreshers.push(() => {
-        const chosen = this.#book.getAttribute("theme");
-        const known = themes.find((name) => name === chosen) ?? "auto";
-        item.ariaChecked = String(known === theme);
-      });
-    }
-    this.element.append(group);
   }
 }

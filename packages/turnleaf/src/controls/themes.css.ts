@@ -1,10 +1,10 @@
 /** The colours and letters of the controls, by theme. */
 
-/** Returns the rules of the dark theme for a selector: by the attribute, or by the system. */
-const dark = (selector: string): string => /* css */ `${selector} {
-  --turnleaf-surface: #24211e; --turnleaf-field: #302c28; --turnleaf-page: #d9d3c7;
-  --turnleaf-ink: #ece5da; --turnleaf-muted: #b3a99b;
-  --turnleaf-line: #3d3832; --turnleaf-track: #5b544b; --turnleaf-hover: rgb(255 236 210 / 0.09); --turnleaf-mark: #e8c25c;
+/** Returns the rules of night for a selector: by the attribute, or by the system. */
+const night = (selector: string): string => /* css */ `${selector} {
+  --turnleaf-surface: #201e1c; --turnleaf-field: #2b2825; --turnleaf-page: #1c1b1a;
+  --turnleaf-ink: #e2dcd2; --turnleaf-muted: #b3a99b;
+  --turnleaf-line: #38332e; --turnleaf-track: #5b544b; --turnleaf-hover: rgb(255 236 210 / 0.09); --turnleaf-mark: #e8c25c;
 }`;
 
 /**
@@ -27,16 +27,21 @@ export const themes: string = /* css */ `
   --turnleaf-font: system-ui, sans-serif;
   --turnleaf-serif: "Iowan Old Style", "Palatino Linotype", Palatino, Georgia, serif;
   --turnleaf-surface: #fbfaf7; --turnleaf-field: #fff; --turnleaf-page: #fdfaf3;
-  --turnleaf-ink: #2b2622; --turnleaf-muted: #655d54;
+  --turnleaf-ink: #2b2622; --turnleaf-muted: #5c554d;
   --turnleaf-line: #ded8ce; --turnleaf-track: #cbc3b6; --turnleaf-hover: rgb(96 72 48 / 0.09); --turnleaf-mark: #ffdf7e;
 }
-:host([theme="paper"]) {
+:host([theme="sepia"]) {
   --turnleaf-surface: #f4ecd9; --turnleaf-field: #fbf5e6; --turnleaf-page: #fbf5e8;
-  --turnleaf-ink: #3a2e20; --turnleaf-muted: #69583f;
+  --turnleaf-ink: #3a2e20; --turnleaf-muted: #5c4c35;
   --turnleaf-line: #ddcfb1; --turnleaf-track: #cbb98f; --turnleaf-hover: rgb(110 78 32 / 0.11);
 }
-${dark(':host([theme="dark"])')}
-@media (prefers-color-scheme: dark) { ${dark(':host(:not([theme="light"], [theme="paper"]))')} }
+:host([theme="grey"]) {
+  --turnleaf-surface: #3a3937; --turnleaf-field: #454341; --turnleaf-page: #3f3e3d;
+  --turnleaf-ink: #f1eeea; --turnleaf-muted: #cfcac3;
+  --turnleaf-line: #55524e; --turnleaf-track: #77736d; --turnleaf-hover: rgb(255 245 230 / 0.1); --turnleaf-mark: #e8c25c;
+}
+${night(':host([theme="night"])')}
+@media (prefers-color-scheme: dark) { ${night(':host(:not([theme="light"], [theme="sepia"], [theme="grey"]))')} }
 @media (prefers-contrast: more) {
   :host { --turnleaf-muted: var(--turnleaf-ink); --turnleaf-line: var(--turnleaf-ink); --turnleaf-track: var(--turnleaf-ink); }
 }

@@ -1,12 +1,14 @@
 /** A few words set as the reader has chosen, in the size that they have in the book. */
 
-import type { ChosenTypography } from "../element/typography.ts";
+import { pageThemeOf } from "../element/page_theme.ts";
+import { typographyOf } from "../element/typography.ts";
 import {
   familyOf,
   fontsOf,
   isTypeface,
   type TypefaceName,
 } from "../sources/typeset/typefaces/typefaces.ts";
+import { coloursOf } from "../stage/themes.ts";
 import { make } from "./make.ts";
 
 /** Size of usual type, CSS pixels, and its line height, where neither is chosen. */
@@ -45,20 +47,23 @@ export function showTypeface(name: TypefaceName): void {
 /** A sample of the type. */
 export class TypeSample {
   readonly element: HTMLElement;
-  readonly #typography: () => ChosenTypography;
+  readonly #book: Element;
 
   /** @param text some words in the reader's language */
-  constructor(text: string, typography: () => ChosenTypography) {
-    this.#typography = typography;
+  constructor(text: string, book: Element) {
+    this.#book = book;
     this.element = make("p", { class: "sample", "aria-hidden": "true" }, text);
   }
 
   /** Shows it as the type is chosen now. */
   refresh(): void {
-    const { font, size, lineHeight, align, hyphens, letterSpacing, wordSpacing, colours } =
-      this.#typography();
-    this.element.dataset.colours = colours;
+    const { font, size, lineHeight, align, hyphens, letterSpacing, wordSpacing } = typographyOf(
+      this.#book,
+    );
+    const colours = coloursOf(pageThemeOf(this.#book), "");
     Object.assign(this.element.style, {
+      background: colours?.paper ?? "#fff",
+      color: colours?.ink ?? "#000",
       fontFamily: familyShown(font),
       fontSize: `${usual.size * size}px`,
       lineHeight: String(lineHeight || usual.line),

@@ -1,12 +1,13 @@
 /** The tab in which the reader chooses how flowing text is set: a sample of it, and a row for each choice. */
 
-import { typographyAttributes, typographyOf } from "../element/typography.ts";
+import { typographyAttributes } from "../element/typography.ts";
 import { isTypeface } from "../sources/typeset/typefaces/typefaces.ts";
 import { fill } from "../words/languages.ts";
 import type { ControlledBook } from "./book.ts";
 import { type Choice, type ChoiceRow, choiceOf, type ScaleTexts, scaleOf } from "./choices.ts";
 import { make } from "./make.ts";
 import type { PanelTab } from "./panel.ts";
+import { ThemeRow } from "./theme_row.ts";
 import { familyShown, showTypeface, TypeSample } from "./type_sample.ts";
 import type { Wording } from "./wording.ts";
 
@@ -22,9 +23,11 @@ export class TypeTab implements PanelTab {
   /** Sets the type one step larger or smaller. */
   readonly stepSize: StepType;
   readonly #sample: TypeSample;
+  readonly #themes: ThemeRow;
   readonly #rows: readonly ChoiceRow[];
 
-  constructor(book: ControlledBook, { texts, number }: Wording) {
+  constructor(book: ControlledBook, wording: Wording) {
+    const { texts, number } = wording;
     const scale = (label: string): ScaleTexts => ({
       label,
       less: fill(texts.lessOf, { name: label }),
@@ -87,18 +90,19 @@ export class TypeTab implements PanelTab {
         own,
         ...steps([0.05, 0.1, 0.2, 0.3, 0.5]),
       ]),
-      choiceOf(book, "page-colours", texts.paper, [
-        own,
-        ["sepia", texts.sepia],
-        ["night", texts.night],
-      ]),
     ];
-    this.#sample = new TypeSample(texts.typeSample, () => typographyOf(book));
+    this.#sample = new TypeSample(texts.typeSample, book);
     const reset = make("button", { type: "button", class: "plain" }, texts.asInBook);
     reset.addEventListener("click", () => {
       for (const name of typographyAttributes) book.removeAttribute(name);
     });
-    this.element.append(this.#sample.element, ...this.#rows.map(({ element }) => element), reset);
+    this.#themes = new ThemeRow(book, wording, "radio");
+    this.element.append(
+      this.#sample.element,
+      ...this.#rows.map(({ element }) => element),
+      this.#themes.element,
+      reset,
+    );
   }
 
   show(): void {
@@ -111,6 +115,7 @@ export class TypeTab implements PanelTab {
   refresh(): void {
     for (const row of this.#rows) row.refresh();
     this.#sample.refresh();
+    this.#themes.refresh();
   }
 
   focus(): void {

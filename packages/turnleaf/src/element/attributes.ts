@@ -6,6 +6,7 @@ import { type Stock, type TearLine, tearLines } from "../engine/shapes.ts";
 import type { Gesture } from "../input/target.ts";
 import { metresIn } from "../metres.ts";
 import type { BindingOptions } from "../viewer/bound_book.ts";
+import { pageThemeOf, themeAttributes } from "./page_theme.ts";
 import { typographyAttributes } from "./typography.ts";
 
 /** The attributes of the binding. */
@@ -23,7 +24,7 @@ export const bindingAttributes: readonly string[] = [
   "stocks",
 ];
 
-const covers = ["hard", "soft", "none"] as const;
+const covers = ["auto", "hard", "soft", "none"] as const;
 const bindings = ["auto", "left", "right", "top", "bottom"] as const;
 const layouts = ["auto", "spread", "single"] as const;
 const cameras = ["reader", "overhead"] as const;
@@ -35,6 +36,7 @@ export function bindingOptionsOf(element: Element): Omit<BindingOptions, "shifts
   return {
     cover: word("cover", covers),
     cloth: element.getAttribute("cloth") ?? "#6a2a26",
+    theme: pageThemeOf(element),
     shadows: numberIn(element, "shadows", 0, 1) ?? 1,
     camera: word("camera", cameras),
     tilt: numberIn(element, "tilt", 0, 12) ?? 0,
@@ -65,6 +67,8 @@ export interface AttributeEffects {
   changeModel(): void;
   /** Flowing text is set in another way. */
   typeset(): void;
+  /** The book is shown in other colours. */
+  recolour(): void;
   /** Turns take another time. */
   changePace(): void;
   /** The place is kept from now on, or no longer. */
@@ -91,6 +95,9 @@ export const attributes: Readonly<
   ),
   ...Object.fromEntries(
     typographyAttributes.map((name) => [name, (to: AttributeEffects) => to.typeset()]),
+  ),
+  ...Object.fromEntries(
+    themeAttributes.map((name) => [name, (to: AttributeEffects) => to.recolour()]),
   ),
   "hard-pages": (effects, value) => effects.listPages("hardPages", value ?? ""),
   stocks: (effects, value) => {

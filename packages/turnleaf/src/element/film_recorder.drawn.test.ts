@@ -14,7 +14,7 @@ afterEach(() => {
 
 /** Returns an open book whose pages turn in `duration` milliseconds. */
 async function open(duration = "300"): Promise<TurnleafBook> {
-  const element = book(scans(6), { theme: "paper", duration });
+  const element = book(scans(6), { theme: "light", duration });
   await happens(element, "load");
   await settled(element);
   return element;

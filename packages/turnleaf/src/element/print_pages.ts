@@ -40,7 +40,7 @@ export async function printPages(source: PageSource, options: PrintOptions): Pro
     sheets.title = source.title;
     for (let page = first; page <= last; page++) {
       onPage?.(page);
-      const picture = await source.draw(page - 1, printWidth, signal);
+      const picture = await source.draw(page - 1, printWidth, signal, undefined, null);
       const url = URL.createObjectURL(await encode(picture));
       urls.push(url);
       const image = sheets.createElement("img");

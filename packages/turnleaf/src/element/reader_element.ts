@@ -4,7 +4,7 @@
  */
 
 import { type Corner, type DogEar, dogEarSize, foldedDegrees } from "../book/dog_ears.ts";
-import { faceIn, placePages } from "../book/layout.ts";
+import { coverFor, faceIn, placePages } from "../book/layout.ts";
 import type { PageMove } from "../book/moved_lists.ts";
 import type { PageFold, PagePlace } from "../book/page_folds.ts";
 import { leafOf, spineOf } from "../book/spreads.ts";
@@ -413,9 +413,10 @@ export abstract class ReaderElement extends ReflectingElement {
    */
   pageFaces(): (page: number) => number {
     const { source, shifts } = this;
-    const { offset } = bindingOptionsOf(this);
+    const { cover, offset } = bindingOptionsOf(this);
     const inSpread = source?.inSpread.bind(source);
-    const placed = placePages(this.pageCount, { offset, shifts }, inSpread);
+    const { boards } = coverFor(cover, source?.cover, this.pageCount);
+    const placed = placePages(this.pageCount, { offset, shifts }, inSpread, boards);
     return (page) => faceIn(placed, page);
   }
 

@@ -3,6 +3,7 @@
 import type { Stock, TearLine } from "../engine/shapes.ts";
 import type { TurnModelName } from "../leaf_models/model_choice.ts";
 import type { Typography } from "../sources/page_source.ts";
+import { pageThemes } from "../stage/themes.ts";
 import {
   bindingOptionsOf,
   stockOf,
@@ -11,13 +12,14 @@ import {
   turnSecondsOf,
 } from "./attributes.ts";
 import type { TurnleafEventMap, TypedEventElement } from "./events.ts";
+import { darkPagesOf } from "./page_theme.ts";
 import { typographyOf } from "./typography.ts";
 
 /** On a server there is no DOM: importing the package is safe there, using the element is not. */
 const Base = (globalThis.HTMLElement ?? class {}) as unknown as new () => TypedEventElement;
 
-const themes = ["auto", "light", "dark", "paper"] as const;
-/** Colour theme; `auto` follows the system. */
+const themes: readonly ["auto", ...typeof pageThemes] = ["auto", ...pageThemes];
+/** Colours of desk, boards, paper, text and controls; `auto` is light or night, as the system. */
 export type Theme = (typeof themes)[number];
 
 type Options = ReturnType<typeof bindingOptionsOf>;
@@ -171,11 +173,12 @@ export class ReflectingElement extends Base {
   }
 
   /**
-   * The first and the last leaf: boards (`hard`), card (`soft`), or paper like
-   * the rest (`none`).
+   * The first and the last leaf: boards (`hard`), card (`soft`), or paper like the rest (`none`). By
+   * default (`auto`) a book is in boards, with its cover's picture on the front, or its title and
+   * authors where it has none; a PDF or text without a cover is paper.
    *
    * @attribute cover
-   * @default hard
+   * @default auto
    */
   get cover(): Options["cover"] {
     return bindingOptionsOf(this).cover;
@@ -303,18 +306,19 @@ export class ReflectingElement extends Base {
   }
 
   /**
-   * The colours of paper and ink of flowing text: `sepia`, `night`, or the
-   * book's own.
+   * What the themes `grey` and `night` do with pages that are drawn already, as those of PDFs, scans and
+   * comics: turn lightness over and keep hues (`invert`), or dim them (`dim`). By default documents are
+   * inverted, and scans, comics and covers dimmed.
    *
-   * @attribute page-colours
+   * @attribute dark-pages
    * @default ""
    */
-  get pageColours(): Typography["colours"] {
-    return typographyOf(this).colours;
+  get darkPages(): ReturnType<typeof darkPagesOf> {
+    return darkPagesOf(this);
   }
 
-  set pageColours(colours: Typography["colours"]) {
-    this.setAttribute("page-colours", colours);
+  set darkPages(how: ReturnType<typeof darkPagesOf>) {
+    this.setAttribute("dark-pages", how);
   }
 
   /**
@@ -517,7 +521,9 @@ export class ReflectingElement extends Base {
   }
 
   /**
-   * Colour theme; `auto` follows the system.
+   * The colours of desk, boards, edges, paper, text and controls: `light`, `sepia`, `grey` or `night`;
+   * `auto` is light or night, as the system. Pictures keep their colours. An element with neither
+   * controls nor a theme is `light`.
    *
    * @attribute theme
    * @default auto

@@ -185,6 +185,11 @@ export class RollView implements PageView {
     if (sheet?.drawing) this.#draw(sheet);
   }
 
+  /** Draws all pages anew that are drawn, as they are in other colours. */
+  recolour(): void {
+    for (const sheet of this.#sheets) if (sheet.drawing) this.#draw(sheet);
+  }
+
   /** Removes it, with all its listeners. */
   destroy(): void {
     this.#ended.abort();
@@ -469,7 +474,7 @@ const style: string = /* css */ `
 :host([controls]) .roll { inset-block: 48px 52px; }
 .roll:focus { outline: none; }
 .roll:focus-visible { outline: 2px solid var(--turnleaf-accent); outline-offset: -2px; }
-.roll-pages { position: relative; margin: 0 auto; filter: var(--turnleaf-dim); }
+.roll-pages { position: relative; margin: 0 auto; }
 .roll-page { aspect-ratio: 2 / 3; background: #fff; overflow: hidden; }
 .roll-page canvas { display: block; width: 100%; height: 100%; }
 .roll-page p { margin: 2rem; font: italic 1.05rem/1.5 Georgia, serif; color: #211d1a; }

@@ -1,7 +1,7 @@
 /** The width for which flowing text is set: that at which pages are shown, in steps. */
 
 import { layoutFor } from "../book/layout.ts";
-import type { Layout } from "../book/spreads.ts";
+import type { CoverKind, Layout } from "../book/spreads.ts";
 import type { Typography } from "../sources/page_source.ts";
 import { mayFace, paperback } from "../sources/typeset/page_measures.ts";
 import { pageWidthIn } from "../stage/page_width.ts";
@@ -17,7 +17,9 @@ const step = 1 / 32;
 const settling = 200;
 
 /** What a width is expected by. */
-export type ExpectedBy = Pick<BindingOptions, "binding" | "cover" | "layout" | "margin">;
+export interface ExpectedBy extends Pick<BindingOptions, "binding" | "layout" | "margin"> {
+  readonly cover: CoverKind;
+}
 
 /**
  * Returns in which layout and about how wide pages of flowing text are about to be shown in a place

@@ -124,11 +124,18 @@ export function addStyle(root: ShadowRoot, css: string): () => void {
   };
 }
 
-/** The desk in the dark theme: by the attribute, or by the system. */
-const dark = (selector: string): string => /* css */ `${selector} {
-  --turnleaf-desk: radial-gradient(ellipse at 50% 38%, #35302b, #191715 95%);
-  --turnleaf-accent: #eba58d; --turnleaf-dim: brightness(0.86); color-scheme: dark;
+/** The desk by night, by the attribute or by the system, and what lies on dark pages. */
+const dark = (
+  selector: string,
+  middle: string,
+  edge: string,
+  accent: string,
+): string => /* css */ `${selector} {
+  --turnleaf-desk: radial-gradient(ellipse at 50% 38%, ${middle}, ${edge} 95%);
+  --turnleaf-accent: ${accent}; color-scheme: dark;
+  --lay: normal; --selected: rgb(110 160 235 / 0.38); --hit: rgb(255 190 50 / 0.28); --here: rgb(255 176 32 / 0.5);
 }`;
+const night = (selector: string): string => dark(selector, "#171614", "#0b0a0a", "#eba58d");
 
 /**
  * The element's own style; outside it the page decides. The controls bring
@@ -137,20 +144,21 @@ const dark = (selector: string): string => /* css */ `${selector} {
  * @cssproperty --turnleaf-desk Background of the book, if the element has
  * controls or a theme.
  * @cssproperty --turnleaf-accent Selected items, and the focus outline.
- * @cssproperty --turnleaf-dim A filter over the book and its thumbnails.
  */
 export const style: string = /* css */ `
 :host {
   display: block; position: relative; overflow: hidden; min-height: 12rem;
   --turnleaf-desk: radial-gradient(ellipse at 50% 38%, #efece6, #cfc9be 95%);
-  --turnleaf-accent: #8a3324; --turnleaf-dim: none; color-scheme: light;
+  --turnleaf-accent: #8a3324; color-scheme: light;
+  --lay: multiply; --selected: rgb(178 203 238 / 0.996); --hit: rgb(255 214 90 / 0.55); --here: rgb(255 176 32 / 0.85);
 }
-:host([theme="paper"]) {
-  --turnleaf-desk: radial-gradient(ellipse at 50% 38%, #dcd5c9, #aba294 90%);
+:host([theme="sepia"]) {
+  --turnleaf-desk: radial-gradient(ellipse at 50% 38%, #dcd0b8, #b3a384 90%);
   --turnleaf-accent: #7f2f20;
 }
-${dark(':host([theme="dark"])')}
-@media (prefers-color-scheme: dark) { ${dark(':host(:not([theme="light"], [theme="paper"]))')} }
+${dark(':host([theme="grey"])', "#35332f", "#232220", "#f7c9b8")}
+${night(':host([theme="night"])')}
+@media (prefers-color-scheme: dark) { ${night(':host(:is([controls], [theme]):not([theme="light"], [theme="sepia"], [theme="grey"]))')} }
 :host(:is([controls], [theme])) { background: var(--turnleaf-desk); }
 .frame:focus { outline: none; }
 .frame:focus-visible { outline: none; }
@@ -166,7 +174,6 @@ ${dark(':host([theme="dark"])')}
 [part="stage"] { position: absolute; inset: 0; overflow: hidden; color-scheme: light; }
 :host([controls]) [part="stage"] { inset-block: 48px 52px; }
 [part="canvas"] { position: absolute; inset: 0; width: 100%; height: 100%; display: block; }
-:host(:is([controls], [theme])) [part="canvas"] { filter: var(--turnleaf-dim); }
 [part="message"] {
   position: absolute; inset: 0; margin: auto; width: min(20rem, 70%); aspect-ratio: 2 / 3; max-height: 84%;
   display: grid; place-content: center; box-sizing: border-box; padding: 2rem; text-align: center;
@@ -182,7 +189,7 @@ ${dark(':host([theme="dark"])')}
 @keyframes late { from { visibility: hidden; } }
 [part="message"][hidden] { display: none; }
 @media print {
-  :host(:is([controls], [theme])) { background: none; --turnleaf-dim: none; }
+  :host(:is([controls], [theme])) { background: none; }
   .frame { container-type: size; }
   :host([controls]) .room { padding-bottom: 0; }
   /* As on the screen, with all that lies over it, and as large as fits; the quotient of two lengths is a tangent. */

@@ -51,7 +51,6 @@ test("the reader chooses in a tab, which other books do not have", async () => {
     ["Hyphenation", "On"],
     ["Letter spacing", "more"],
     ["Word spacing", "more"],
-    ["Paper", "Sepia"],
   ] as const) {
     button(group, name).click();
   }
@@ -74,8 +73,6 @@ test("the reader chooses in a tab, which other books do not have", async () => {
   expect(element.fontSize).toBe(0.7);
   root.querySelector<HTMLElement>(".typeset > .plain")?.click();
   expect(element.font).toBe("");
-  element.pageColours = "sepia";
-  expect(element.pageColours).toBe("sepia");
   const canvas = document.createElement("canvas");
   const loaded = happens(element, "load");
   element.pages = [canvas.toDataURL()];

@@ -12,7 +12,6 @@ export const typographyAttributes = [
   "hyphens",
   "letter-spacing",
   "word-spacing",
-  "page-colours",
 ] as const;
 
 /** What a reader chooses of how text is set; the width is that of the page as it is shown. */
@@ -35,6 +34,5 @@ export function typographyOf(element: Element): ChosenTypography {
     hyphens: word("hyphens", ["auto", "none"]),
     letterSpacing: number("letter-spacing", 0, 1, 0),
     wordSpacing: number("word-spacing", 0, 1, 0),
-    colours: word("page-colours", ["sepia", "night"]),
   };
 }

@@ -25,6 +25,7 @@ export class FakeBook extends HTMLElement implements ControlledBook {
   canReadAloud = false;
   readingAloud = false;
   canTypeset = false;
+  darkPagesNow: "" | "invert" | "dim" = "";
   allows = { print: true, download: true };
   readonly titleDirection = "auto" as const;
   details: readonly BookDetail[] = [];

@@ -266,7 +266,7 @@ export class RandomOperations {
         turnModels.filter((model) => model !== "photographs"),
       ),
       tearable: attribute("tearable", ["none", "sewn", "stapled", "perforated"]),
-      theme: attribute("theme", ["light", "dark", "paper"]),
+      theme: attribute("theme", ["light", "sepia", "grey", "night"]),
       controls: () => element().toggleAttribute("controls"),
       slides: () => (this.#random() < 0.5 ? element().play(1) : element().pause()),
     };

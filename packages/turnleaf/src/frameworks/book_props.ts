@@ -23,7 +23,7 @@ const attributeProps = [
   "hyphens",
   "letterSpacing",
   "wordSpacing",
-  "pageColours",
+  "darkPages",
   "cloth",
   "shadows",
   "camera",

@@ -200,7 +200,7 @@ test("a server's HTML becomes the book, without a fault of hydration, open befor
       style,
       src: "data:application/json,{}",
       page: 2,
-      theme: "dark",
+      theme: "night",
       hardPages: "1-2",
       address: false,
       sound: true,
@@ -212,7 +212,7 @@ test("a server's HTML becomes the book, without a fault of hydration, open befor
     host.innerHTML = renderToString(element);
     const [book] = host.children as unknown as BookElement[];
     expect(book.getAttribute("hard-pages")).toBe("1-2");
-    expect([book.page, book.theme, book.sound, book.address]).toEqual([2, "dark", true, false]);
+    expect([book.page, book.theme, book.sound, book.address]).toEqual([2, "night", true, false]);
     if (isOpenBefore) await eventually(() => book.pageCount).toBe(4);
     const hydrated = hydrateRoot(host, element);
     await eventually(() => loads[0]).toBe(4);

@@ -44,7 +44,7 @@ test("properties and events are the element's, and bind:page has its page", asyn
   await eventually(() => said).toEqual(["load 8"]);
   expect(element()).toBe(theBook());
   const { page, theme, sound, assist, className } = theBook();
-  expect([page, theme, sound, assist, className]).toEqual([3, "dark", true, true, "mine"]);
+  expect([page, theme, sound, assist, className]).toEqual([3, "night", true, true, "mine"]);
   await theBook().next();
   await settled(theBook());
   expect([state.page, theBook().page]).toEqual([5, 5]);
@@ -71,7 +71,7 @@ test("a server's HTML becomes the book, without a fault of hydration", async () 
   document.body.append(host);
   host.innerHTML = render(ServerReader, { props }).body;
   const book = theBook();
-  expect([book.page, book.hardPages, book.theme, book.sound]).toEqual([3, "1-2", "dark", true]);
+  expect([book.page, book.hardPages, book.theme, book.sound]).toEqual([3, "1-2", "night", true]);
   // Open before Svelte is there.
   await eventually(() => book.pageCount).toBe(4);
   mounted.push(hydrate(Reader, { target: host, props }));

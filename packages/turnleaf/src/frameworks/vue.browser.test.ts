@@ -31,7 +31,7 @@ function show(render: () => ReturnType<typeof h>): void {
 test("properties and events are the element's, and v-model has its page", async () => {
   const faults = [vi.spyOn(console, "warn"), vi.spyOn(console, "error")];
   const images = scans(8);
-  const state = reactive({ page: 3, count: 8, theme: "dark" as "dark" | undefined, style });
+  const state = reactive({ page: 3, count: 8, theme: "night" as "night" | undefined, style });
   const said: string[] = [];
   show(() =>
     h(TurnleafBook, {
@@ -54,7 +54,7 @@ test("properties and events are the element's, and v-model has its page", async 
   );
   await eventually(() => said).toEqual(["load 8"]);
   const { page, theme, sound, assist, className } = theBook();
-  expect([page, theme, sound, assist, className]).toEqual([3, "dark", true, true, "mine"]);
+  expect([page, theme, sound, assist, className]).toEqual([3, "night", true, true, "mine"]);
   await theBook().next();
   await settled(theBook());
   expect([state.page, theBook().page]).toEqual([5, 5]);
@@ -90,7 +90,7 @@ test("a server's HTML becomes the book, without a fault of hydration", async () 
           src,
           page: 2,
           hardPages: "1-2",
-          theme: "dark",
+          theme: "night",
           controls: true,
           sound: true,
           assist: false,
@@ -101,7 +101,7 @@ test("a server's HTML becomes the book, without a fault of hydration", async () 
   document.body.append(host);
   host.innerHTML = await renderToString(page());
   const [book] = host.children as unknown as BookElement[];
-  expect([book.page, book.hardPages, book.theme]).toEqual([2, "1-2", "dark"]);
+  expect([book.page, book.hardPages, book.theme]).toEqual([2, "1-2", "night"]);
   expect([book.controls, book.sound, book.assist]).toEqual([true, true, false]);
   // Open before Vue is there.
   await eventually(() => book.pageCount).toBe(4);

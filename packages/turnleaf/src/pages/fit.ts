@@ -3,8 +3,6 @@
 import type { PageBox, PagePicture } from "../sources/page_source.ts";
 import { foldAt, isFoldOut, isTrimmed, panelsOf } from "./page_place.ts";
 
-const paper = "#fbf5e8";
-
 /**
  * Draws a page's picture on one of the leaf's proportions, no sharper than the
  * former and no wider than `width`. Where the leaf is trimmed to a smaller page
@@ -14,12 +12,14 @@ const paper = "#fbf5e8";
  * @param place the part of the leaf that the page covers
  * @param aspect the leaf's width over its height
  * @param width of the leaf in device pixels
+ * @param paper CSS colour of bare paper
  */
 export function fitToLeaf(
   picture: PagePicture,
   place: PageBox,
   aspect: number,
   width: number,
+  paper: string,
 ): HTMLCanvasElement {
   const { canvas, pen } = leafFor(picture, place, aspect, width);
   if (!isTrimmed(place)) {
@@ -27,19 +27,22 @@ export function fitToLeaf(
     pen.fillRect(0, 0, canvas.width, canvas.height);
   }
   drawOn(pen, picture, place);
-  if (isFoldOut(place)) drawFolded(pen, picture, place);
+  if (isFoldOut(place)) drawFolded(pen, picture, place, paper);
   return canvas;
 }
 
 /**
  * Returns the parts of an open fold-out, each as high as the leaf: what is on
  * it, what is beyond its fold, and the bare back of that.
+ *
+ * @param paper CSS colour of bare paper
  */
 export function unfold(
   picture: PagePicture,
   place: PageBox,
   aspect: number,
   width: number,
+  paper: string,
 ): { page: HTMLCanvasElement; flap: HTMLCanvasElement; back: HTMLCanvasElement } {
   const { canvas: page, pen } = leafFor(picture, place, aspect, width);
   drawOn(pen, picture, place);
@@ -94,7 +97,12 @@ function drawOn(
  * Draws the uppermost panel of a shut fold-out over its page, with the shadow that the flap throws
  * there: the bare back of an odd one, the face of an even one.
  */
-function drawFolded(pen: CanvasRenderingContext2D, picture: PagePicture, place: PageBox): void {
+function drawFolded(
+  pen: CanvasRenderingContext2D,
+  picture: PagePicture,
+  place: PageBox,
+  paper: string,
+): void {
   const { width, height } = pen.canvas;
   const { panels, across } = panelsOf(place);
   const isFace = panels % 2 === 0;

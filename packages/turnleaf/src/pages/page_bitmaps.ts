@@ -8,6 +8,8 @@ import type {
   PageSize,
   PageSource,
 } from "../sources/page_source.ts";
+import { lookOf, type PageTheme, type ThemeLook } from "../stage/themes.ts";
+import { coverStamp } from "./cover_stamp.ts";
 import {
   foldAt,
   isFoldOut,
@@ -32,6 +34,8 @@ export interface PageBitmapsOptions {
   readonly slowText?: (label: string) => string;
   /** Returns the sentence for a page (from 1) that cannot be drawn. The default is the error's own. */
   readonly failureText?: (error: BookError, page: number) => string;
+  /** The theme of bare paper and of what stands in for pages, until `recolour`. The default is `light`. */
+  readonly theme?: PageTheme;
   /** As in the pool's options. */
   readonly later?: PagePoolOptions["later"];
 }
@@ -102,8 +106,11 @@ export class PageBitmaps {
   readonly #places = new Map<number, PageBox>();
   #unfolded: { number: number; parts: OpenFoldOut } | null = null;
 
+  #look: ThemeLook;
+
   /** @param leaf size of the book's leaves, in the source's unit */
   constructor(source: PageSource, leaf: PageSize, options: PageBitmapsOptions) {
+    this.#look = lookOf(options);
     this.#source = source;
     this.#leaf = leaf;
     this.#aspect = leaf.width / leaf.height;
@@ -118,7 +125,7 @@ export class PageBitmaps {
       if (place === wholeLeaf) return picture;
       try {
         const { fitToLeaf } = await fitting();
-        return fitToLeaf(picture, place, this.#aspect, width);
+        return fitToLeaf(picture, place, this.#aspect, width, this.#look.paper);
       } finally {
         closePicture(picture);
       }
@@ -208,7 +215,7 @@ export class PageBitmaps {
     const { unfold } = await fitting();
     const across = Math.min(Math.ceil(width * place.width), mostAcross);
     const picture = await this.#source.draw(page - 1, across, signal);
-    const parts = { ...unfold(picture, place, this.#aspect, width), place };
+    const parts = { ...unfold(picture, place, this.#aspect, width, this.#look.paper), place };
     closePicture(picture);
     this.foldIn();
     this.#unfolded = { number: page, parts };
@@ -270,6 +277,13 @@ export class PageBitmaps {
     this.#pool.redraw(page - 1);
   }
 
+  /** Marks all bitmaps as out of date, as pages are drawn in the colours of another theme. */
+  recolour(theme: PageTheme): void {
+    this.#look = lookOf({ theme });
+    this.#dropStandIns();
+    for (let index = 0; index < this.#source.pageCount; index++) this.#pool.redraw(index);
+  }
+
   /** Returns the best available bitmap of a page (from 1), or a stand-in; never null. */
   get(page: number): PagePicture {
     if (this.#unfolded?.number === page) return this.#unfolded.parts.page;
@@ -316,7 +330,14 @@ export class PageBitmaps {
 
   /** Blank paper. */
   get bare(): PagePicture {
-    return this.#keep("bare", () => barePage(this.#aspect));
+    return this.#keep("bare", () => barePage(this.#aspect, this.#look));
+  }
+
+  /** Returns the title that is stamped on a front board of a cloth without a page; null if it stays plain. */
+  stampOn(cloth: string): PagePicture | null {
+    const { cover } = this.#source;
+    if (cover !== "stamped" && cover !== "none") return null;
+    return this.#keep(`stamp ${cloth}`, () => coverStamp(this.#source, this.#aspect, cloth));
   }
 
   /** Whether the visible pages are as sharp as requested, or have failed. */
@@ -350,12 +371,13 @@ export class PageBitmaps {
     const failure = this.#pool.failed(page - 1);
     if (failure) {
       const sentence = this.#options.failureText?.(failure, page) ?? failure.message;
-      return this.#keep(`! ${sentence}`, () => failedPage(sentence, this.#aspect));
+      return this.#keep(`! ${sentence}`, () => failedPage(sentence, this.#aspect, this.#look));
     }
     const label = this.#source.label(page - 1);
     const sentence = this.#pool.slow(page - 1) && this.#options.slowText?.(label);
-    if (sentence) return this.#keep(`… ${sentence}`, () => slowPage(sentence, this.#aspect));
-    return this.#keep(label, () => waitingPage(label, this.#aspect));
+    if (sentence)
+      return this.#keep(`… ${sentence}`, () => slowPage(sentence, this.#aspect, this.#look));
+    return this.#keep(label, () => waitingPage(label, this.#aspect, this.#look));
   }
 
   #keep(key: string, make: () => HTMLCanvasElement): HTMLCanvasElement {

@@ -21,13 +21,13 @@ test("other proportions take no more pixels than the leaf is wanted with", () =>
     [512, 700, 0.7],
   ]) {
     const place = placeOnLeaf({ width, height }, { width: aspect, height: 1 }, false, "left");
-    const { width: w, height: h } = fitToLeaf(sheet(width, height), place, aspect, 512);
+    const { width: w, height: h } = fitToLeaf(sheet(width, height), place, aspect, 512, "#fbf5e8");
     expect(w).toBeLessThanOrEqual(512);
     expect(Math.abs(w / h / aspect - 1)).toBeLessThan(0.02);
   }
   // A small bitmap is not enlarged: the graphics card does that as well.
   const half = { x: 0, y: 0.375, width: 1, height: 0.25 };
-  expect(fitToLeaf(sheet(100, 50), half, 0.5, 512).width).toBe(100);
+  expect(fitToLeaf(sheet(100, 50), half, 0.5, 512, "#fbf5e8").width).toBe(100);
 });
 
 test("a smaller page lies on a clear leaf, a little smaller one on paper", () => {
@@ -36,7 +36,7 @@ test("a smaller page lies on a clear leaf, a little smaller one on paper", () =>
   pen.fillStyle = "#00f";
   pen.fillRect(0, 0, 100, 100);
   const colours = (place: PageBox, ...places: [number, number][]) => {
-    const fitted = fitToLeaf(picture, place, 2, 100) as HTMLCanvasElement;
+    const fitted = fitToLeaf(picture, place, 2, 100, "#fbf5e8") as HTMLCanvasElement;
     const seen = fitted.getContext("2d") as CanvasRenderingContext2D;
     expect([fitted.width, fitted.height]).toEqual([100, 50]);
     return places.map(([x, y]) => [...seen.getImageData(x, y, 1, 1).data]);
@@ -58,12 +58,12 @@ test("a fold-out is folded in: its flap's back lies on the page, at its fore-edg
     pen.fillStyle = "#00f";
     pen.fillRect(0, 0, 150, 100);
     const place = placeOnLeaf({ width: 15, height: 10 }, { width: 10, height: 10 }, false, on);
-    const fitted = fitToLeaf(picture, place, 1, 100) as HTMLCanvasElement;
+    const fitted = fitToLeaf(picture, place, 1, 100, "#fbf5e8") as HTMLCanvasElement;
     const seen = fitted.getContext("2d") as CanvasRenderingContext2D;
     const at = (x: number) => [...seen.getImageData(x, 50, 1, 1).data];
     expect(at(100 * (0.5 + 1.2 * (free > 0.5 ? 0.3 : -0.3)))).toEqual([0, 0, 255, 255]);
     expect(at(100 * (1 - free))).toEqual([0xfb, 0xf5, 0xe8, 255]);
-    const { page, flap } = unfold(picture, place, 1, 100);
+    const { page, flap } = unfold(picture, place, 1, 100, "#fbf5e8");
     expect([page.width, flap.width]).toEqual([100, 52]);
     for (const part of [page, flap]) {
       const pixels = part.getContext("2d") as CanvasRenderingContext2D;

@@ -4,13 +4,11 @@
  */
 
 import type { PageBox } from "../sources/page_source.ts";
+import { lookOf, type ThemeLook } from "../stage/themes.ts";
 
-/** Paper, and ink fainter than the text of real pages. */
-const paper = "#fbf5e8";
-const ink = "#211d1a";
-const faintInk = "rgb(33 29 26 / 0.28)";
-/** Ink that is easily read without drawing attention. */
-const paleInk = "rgb(33 29 26 / 0.66)";
+/** Opacity of ink fainter than the text of real pages, and of ink that is easily read without drawing attention. */
+const faint = 0.28;
+const pale = 0.66;
 
 /** Width of a sentence to be read, and of a mere label, of which a riffle shows two dozen. */
 const sentenceWidth = 640;
@@ -20,6 +18,7 @@ const serif = "'EB Garamond', 'Iowan Old Style', Palatino, Georgia, serif";
 function sheet(
   aspect: number,
   width: number,
+  { paper, ink }: ThemeLook,
 ): { canvas: HTMLCanvasElement; pen: CanvasRenderingContext2D } {
   const canvas = document.createElement("canvas");
   canvas.width = width;
@@ -27,17 +26,18 @@ function sheet(
   const pen = canvas.getContext("2d") as CanvasRenderingContext2D;
   pen.fillStyle = paper;
   pen.fillRect(0, 0, canvas.width, canvas.height);
+  pen.fillStyle = ink;
   pen.textAlign = "center";
   pen.textBaseline = "middle";
   return { canvas, pen };
 }
 
 /** Returns a page still being drawn: its label in faint ink between two short rules. */
-export function waitingPage(label: string, aspect: number): HTMLCanvasElement {
-  const { canvas, pen } = sheet(aspect, labelWidth);
+export function waitingPage(label: string, aspect: number, look: ThemeLook): HTMLCanvasElement {
+  const { canvas, pen } = sheet(aspect, labelWidth, look);
   const { width } = canvas;
   const [x, y] = [width / 2, canvas.height / 2];
-  pen.fillStyle = faintInk;
+  pen.globalAlpha = faint;
   pen.font = `${width * 0.06}px ${serif}`;
   pen.fillText(label, x, y, width * 0.8);
   pen.fillRect(x - width * 0.06, y - width * 0.06, width * 0.12, width / 400);
@@ -46,20 +46,25 @@ export function waitingPage(label: string, aspect: number): HTMLCanvasElement {
 }
 
 /** Returns a page that cannot be drawn: the sentence that gives the reason. */
-export function failedPage(sentence: string, aspect: number): HTMLCanvasElement {
-  return sentencePage(sentence, aspect, ink);
+export function failedPage(sentence: string, aspect: number, look: ThemeLook): HTMLCanvasElement {
+  return sentencePage(sentence, aspect, look, 1);
 }
 
 /** Returns a page that takes long to draw: the sentence that says so, in paler ink. */
-export function slowPage(sentence: string, aspect: number): HTMLCanvasElement {
-  return sentencePage(sentence, aspect, paleInk);
+export function slowPage(sentence: string, aspect: number, look: ThemeLook): HTMLCanvasElement {
+  return sentencePage(sentence, aspect, look, pale);
 }
 
-function sentencePage(sentence: string, aspect: number, colour: string): HTMLCanvasElement {
-  const { canvas, pen } = sheet(aspect, sentenceWidth);
+function sentencePage(
+  sentence: string,
+  aspect: number,
+  look: ThemeLook,
+  opacity: number,
+): HTMLCanvasElement {
+  const { canvas, pen } = sheet(aspect, sentenceWidth, look);
   const { width } = canvas;
   const size = width * 0.042;
-  pen.fillStyle = colour;
+  pen.globalAlpha = opacity;
   pen.font = `italic ${size}px ${serif}`;
   const lines = wrap(sentence, (line) => pen.measureText(line).width <= width * 0.74);
   const top = canvas.height / 2 - ((lines.length - 1) * size * 1.5) / 2;
@@ -70,13 +75,13 @@ function sentencePage(sentence: string, aspect: number, colour: string): HTMLCan
 }
 
 /** Returns blank paper: the back of a last page without one. */
-export function barePage(aspect: number): HTMLCanvasElement {
-  return sheet(aspect, labelWidth).canvas;
+export function barePage(aspect: number, look: ThemeLook): HTMLCanvasElement {
+  return sheet(aspect, labelWidth, look).canvas;
 }
 
 /** Returns white paper on a part of a leaf, in fractions of it; the rest of the leaf is clear. */
 export function whitePage(aspect: number, part: PageBox): HTMLCanvasElement {
-  const { canvas, pen } = sheet(aspect, labelWidth);
+  const { canvas, pen } = sheet(aspect, labelWidth, lookOf({}));
   const { width, height } = canvas;
   pen.clearRect(0, 0, width, height);
   pen.fillStyle = "#fff";

@@ -36,6 +36,7 @@ export class ImageSource implements PageSource {
   readonly language: string;
   readonly direction: "ltr" | "rtl";
   readonly kind: "typeset" | "scan";
+  readonly cover: PageSource["cover"];
   readonly pageCount: number;
   /** The archive of the images, or a single image. */
   readonly file?: () => Promise<Blob>;
@@ -54,6 +55,7 @@ export class ImageSource implements PageSource {
     this.language = book.language;
     this.direction = book.direction;
     this.kind = book.kind;
+    this.cover = book.cover;
     this.pageCount = book.pages.length;
     this.#book = book;
     this.#sizes = book.pages.map((page) => page.size);

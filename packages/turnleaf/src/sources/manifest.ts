@@ -17,6 +17,7 @@ import type {
   PageBox,
   PageLink,
   PageSize,
+  PageSource,
   TextRun,
 } from "./page_source.ts";
 import type { StripPage } from "./strips.ts";
@@ -59,6 +60,8 @@ export interface ImageBook {
   readonly kind: "typeset" | "scan";
   /** Width of a page on paper, metres, if it is known. */
   readonly pageWidth?: number;
+  /** How it is covered, as `PageSource` has it. */
+  readonly cover?: PageSource["cover"];
   readonly pages: readonly ImagePage[];
   readonly outline?: readonly OutlineEntry[];
   /** What of it cannot be shown, as far as that is known. */
@@ -107,6 +110,12 @@ export interface Manifest {
   readonly pageWidth?: string;
   /** The table of contents. */
   readonly outline?: readonly ManifestOutline[];
+  /**
+   * What is on the boards: the picture of the first page on the front and no other page (`picture`), or
+   * the title (`stamped`); `none` for a document without boards. The default is that pages lie on the
+   * boards too, the first on the front.
+   */
+  readonly cover?: "picture" | "stamped" | "none";
   /** The pages in order. */
   readonly pages: readonly ManifestPage[];
 }
@@ -137,6 +146,7 @@ export function parseManifest(value: unknown, base: string, name: string): Image
     );
   }
   const outline = parseOutline(fields, pages.length, name);
+  const cover = choice(fields, "cover", ["", "picture", "stamped", "none"], name);
   const written = textOf(fields, "pageWidth", limits.labelLength, name);
   const pageWidth = written === "" ? undefined : metresIn(written);
   if (written !== "" && pageWidth === undefined) {
@@ -149,6 +159,7 @@ export function parseManifest(value: unknown, base: string, name: string): Image
     direction: choice(fields, "direction", ["ltr", "rtl"], name),
     kind: choice(fields, "kind", ["scan", "typeset"], name),
     ...(outline.length > 0 ? { outline } : {}),
+    ...(cover === "" ? {} : { cover }),
     ...(pageWidth === undefined ? {} : { pageWidth }),
     pages: pages.map((page, index) =>
       parsePage(page, base, pages.length, `${name}: page ${index + 1}`),
@@ -241,7 +252,7 @@ function choice<T extends string>(
     throw fault(
       name,
       `has an unknown ${key}`,
-      `write ${options.map((o) => `"${o}"`).join(" or ")}`,
+      `write ${options.flatMap((o) => (o === "" ? [] : `"${o}"`)).join(" or ")}`,
     );
   }
   return found;

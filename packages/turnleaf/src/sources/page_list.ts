@@ -1,6 +1,7 @@
 /** A book whose pages may be added, removed and replaced while it is open. */
 
 import { limits } from "./limits.ts";
+import { loadPart } from "./load_part.ts";
 import {
   BookError,
   type BookWarning,
@@ -9,6 +10,7 @@ import {
   type NewIndex,
   type OutlineEntry,
   type PageBox,
+  type PageColours,
   type PageField,
   type PageLink,
   type PageMedium,
@@ -55,6 +57,8 @@ export class PageList implements PageSource {
   #onWarning: (() => void) | null = null;
   /** Why pages could not be drawn when they were drawn last. */
   readonly #errors = new Map<Entry, BookError>();
+  /** The colours in which pages are drawn, unless `draw` is given others; null for their own. */
+  colours: PageColours | null = null;
 
   constructor(source: PageSource) {
     this.first = source;
@@ -131,6 +135,18 @@ export class PageList implements PageSource {
 
   widthInMetres(size: PageSize): number | undefined {
     return this.first.widthInMetres?.(size);
+  }
+
+  /** The first source's; without the page that is its cover the boards are stamped. */
+  get cover(): PageSource["cover"] {
+    const { first } = this;
+    const [entry] = this.#entries;
+    const isLost = entry?.source !== first || entry.index > 0;
+    return first.cover === "picture" && isLost ? "stamped" : first.cover;
+  }
+
+  get authors(): PageSource["authors"] {
+    return this.first.authors;
   }
 
   get kind(): "typeset" | "scan" {
@@ -262,19 +278,52 @@ export class PageList implements PageSource {
     return entry?.source.roll?.(entry.index) ?? null;
   }
 
+  /** What is done with a page (from 0) in the colours as they are, if their paper is dark: "" if nothing, or it is set in them. */
+  darkened(index: number): PageColours["pictures"] {
+    const { colours } = this;
+    const what = this.#drawnAs(index);
+    if (!colours?.isDark || what === "text") return "";
+    return colours.pictures || (what === "print" ? "invert" : "dim");
+  }
+
+  /** Returns what page `index` is in other colours; elements are as the web page has them. */
+  #drawnAs(index: number): "text" | "print" | "picture" {
+    const entry = this.#entries[index];
+    if (!entry || entry.source.element?.(entry.index)) return "text";
+    const { source } = entry;
+    return source.colouring?.(entry.index) ?? (source.kind === "typeset" ? "print" : "picture");
+  }
+
+  /** Returns the picture of a page in colours of the reader's. */
+  async #inColours(
+    index: number,
+    picture: PagePicture,
+    colours: PageColours,
+  ): Promise<PagePicture> {
+    // Nobody turns a cover's colours over.
+    const isCover = this.cover === "picture" && index === 0;
+    const what = isCover ? "picture" : this.#drawnAs(index);
+    if (what === "text") return picture;
+    const { tinted } = await loadPart(import("./tint.ts"));
+    const other = tinted(picture, what, isCover ? { ...colours, pictures: "dim" } : colours);
+    if (other !== picture && "close" in picture) picture.close();
+    return other;
+  }
+
   async draw(
     index: number,
     width: number,
     signal: AbortSignal,
     region?: PageBox,
+    colours: PageColours | null = this.colours,
   ): Promise<PagePicture> {
     const entry = this.#entries[index];
     try {
       const picture = await this.#of(index, (source, own) =>
-        source.draw(own, width, signal, region),
+        source.draw(own, width, signal, region, colours),
       );
       if (entry) this.#errors.delete(entry);
-      return picture;
+      return colours === null ? picture : await this.#inColours(index, picture, colours);
     } catch (error) {
       const isListed = entry !== undefined && this.#errors.size < limits.warnings;
       if (isListed && error instanceof BookError && error.code !== "closed") {

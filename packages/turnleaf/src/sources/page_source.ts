@@ -180,13 +180,27 @@ export interface Typography {
   /** Space that is added between letters, and between words, in units of the type's size: 0 to 1. */
   readonly letterSpacing: number;
   readonly wordSpacing: number;
-  /** The colours of paper and ink; "" for the book's own. */
-  readonly colours: "" | "sepia" | "night";
   /**
    * How wide a page is shown, CSS pixels, for which it is set: 16 px of type are 16 px on the screen.
    * 0 if that is unknown.
    */
   readonly width: number;
+}
+
+/** The colours in which the reader wants pages. CSS colours of six digits. */
+export interface PageColours {
+  /** The colour of paper. */
+  readonly paper: string;
+  /** The colour of print. */
+  readonly ink: string;
+  /** Whether the paper is darker than the print. */
+  readonly isDark: boolean;
+  /**
+   * What is done on dark paper with pages that are no text which is set for the reader: lightness is
+   * turned over and hues stay (`invert`), or they are dimmed (`dim`). By default documents are inverted,
+   * and pictures dimmed.
+   */
+  readonly pictures: "" | "invert" | "dim";
 }
 
 /** A passage that is read aloud: some text of a book, and the part of a recording that is its sound. */
@@ -263,6 +277,15 @@ export interface PageSource {
   mayFace?(width: number, alone: number): boolean;
   /** What the book's owner wants to be shown of it: rights, a required statement. */
   readonly details?: readonly BookDetail[];
+  /**
+   * How the book is covered: its first page is the `picture` of the front board, and nothing else lies
+   * on the boards; it has no picture, and its boards are `stamped` with its title and authors; it is a
+   * document that has no boards (`none`). The default is that pages lie on the boards too, as in a
+   * scan of a whole book.
+   */
+  readonly cover?: "picture" | "stamped" | "none" | undefined;
+  /** Who wrote the book, as a cover names them. The default is nobody. */
+  readonly authors?: readonly string[] | undefined;
   /** Typeset pages keep paper shading to their own white; scans must not be brightened. */
   readonly kind: "typeset" | "scan";
   /** Size of page `index` (from 0). Rejects with a `BookError`. */
@@ -298,8 +321,22 @@ export interface PageSource {
    * @param region the part of the page to draw, as fractions of its width and
    * height from its top left corner; `width` is then the region's. The default
    * is all of it.
+   * @param colours those of paper and print; the default is the page's own. Only pages whose
+   * `colouring` is `text` have to heed them.
    */
-  draw(index: number, width: number, signal: AbortSignal, region?: PageBox): Promise<PagePicture>;
+  draw(
+    index: number,
+    width: number,
+    signal: AbortSignal,
+    region?: PageBox,
+    colours?: PageColours | null,
+  ): Promise<PagePicture>;
+  /**
+   * Returns what page `index` (from 0) is in other colours: `text` that `draw` sets in them, ink on
+   * paper (`print`), or a `picture`, whose colours are its own. The default is print if the book is
+   * typeset, and a picture if it is scanned.
+   */
+  colouring?(index: number): "text" | "print" | "picture";
   /** What the book's owner permits. The default is everything. */
   readonly allows?: { readonly print: boolean; readonly copy: boolean };
   /**

@@ -19,6 +19,7 @@ import {
 import { altOfPage } from "./pdf_alt.ts";
 import { linksOfPage, PdfForm } from "./pdf_annotations.ts";
 import { type PdfInput, place } from "./pdf_bytes.ts";
+import { coverPixels, isCover } from "./pdf_cover.ts";
 import { lettersOfPage } from "./pdf_letters.ts";
 import { bareMarksOf, drawMarks, notesOfPage, playedOnPage } from "./pdf_marks.ts";
 import { rejectPortfolio } from "./pdf_portfolio.ts";
@@ -114,7 +115,9 @@ export async function openPdf(input: PdfInput, options: PdfOptions = {}): Promis
       Promise.race([describe(task, input, options.fragment), grownTooLarge(task, input)]),
     );
     const description = await (signal ? orAborted(opening, signal) : opening);
-    return new PdfSource(thread, description, stop);
+    const source = new PdfSource(thread, description, stop);
+    await source.findCover(signal ?? new AbortController().signal);
+    return source;
   } catch (error) {
     stop();
     signal?.throwIfAborted();
@@ -276,6 +279,8 @@ class PdfSource implements PageSource {
   readonly openingPage: number;
   readonly allows: { readonly print: boolean; readonly copy: boolean };
   readonly kind = "typeset";
+  /** Without a cover it is an article, a form, a letter: a document without boards. */
+  cover: "picture" | "none" = "none";
   readonly #thread: PdfThread;
   readonly #name: string;
   readonly #document: PDFDocumentProxy;
@@ -303,6 +308,24 @@ class PdfSource implements PageSource {
     this.#targets = description.targets;
     this.#form = description.form;
     this.#stop = stop;
+  }
+
+  /** Looks whether the first page is a cover, at the cost of a small picture of it. Rejects with the signal's reason. */
+  async findCover(signal: AbortSignal): Promise<void> {
+    if (this.pageCount < 2) return;
+    try {
+      const page = await this.#page(0, signal);
+      const small = await this.#render(page, 0, coverPixels, wholePage, signal);
+      const { width, height } = small;
+      const pen = new OffscreenCanvas(width, height).getContext("2d");
+      pen?.drawImage(small, 0, 0);
+      small.close();
+      const pixels = pen?.getImageData(0, 0, width, height).data;
+      if (pixels && isCover({ width, height }, pixels)) this.cover = "picture";
+    } catch {
+      // A page that cannot be drawn says so in its place.
+      signal.throwIfAborted();
+    }
   }
 
   get warnings(): readonly BookWarning[] {

@@ -1,6 +1,7 @@
 /** What a stage draws: a book's fixed shape, and where its parts are in one frame. */
 
 import type { Pile, Surface } from "../engine/shapes.ts";
+import type { PageTheme } from "./themes.ts";
 
 /** The constant shape of a bound book. Lengths in metres. */
 export interface BookShape {
@@ -19,7 +20,9 @@ export interface BookShape {
   readonly quarterTurned: boolean;
   /** The side whose pages alone are read, 1 right or -1 left; 0 if both are. */
   readonly alone: 1 | 0 | -1;
-  /** CSS colour of the boards and the spine. */
+  /** The colours of paper, edges and boards. The default is `light`. */
+  readonly theme?: PageTheme;
+  /** CSS colour of the boards and the spine, by day. */
   readonly cloth: string;
   /** Strength of the shadows of leaves on pages and on each other, 0 to 1. */
   readonly shadows: number;

@@ -28,9 +28,9 @@ export const textStyle: string = /* css */ `
 .medium button { font-size: 20px; color: #fff; text-shadow: 0 0 4px #000, 0 0 2px #000; }
 .medium button:disabled { opacity: 0.5; }
 .medium video { object-fit: contain; background: #000; }
-.print { mix-blend-mode: multiply; }
+.print { mix-blend-mode: var(--lay); }
 .text ::selection { background: none; }
-.text span::selection { color: transparent; background: rgb(178 203 238 / 0.996); }
+.text span::selection { color: transparent; background: var(--selected); }
 .guard { position: absolute; inset: 0; pointer-events: auto; cursor: text; user-select: none; -webkit-user-select: none; }
 .note {
   position: fixed; inset: auto; box-sizing: border-box; margin: 0; padding: 0.9em 1.1em 0.7em; pointer-events: auto;
@@ -45,6 +45,6 @@ export const textStyle: string = /* css */ `
   display: block; margin: 0.6em 0 0 auto; padding: 0.2em 0; border: 0; background: none; cursor: pointer;
   font: 13px var(--turnleaf-font, system-ui, sans-serif); color: var(--turnleaf-accent, #8a3324); text-decoration: underline;
 }
-.mark { background: rgb(255 214 90 / 0.55); mix-blend-mode: multiply; border-radius: 2px; }
-.mark.here { background: rgb(255 176 32 / 0.85); }
+.mark { background: var(--hit); mix-blend-mode: var(--lay); border-radius: 2px; }
+.mark.here { background: var(--here); }
 `;

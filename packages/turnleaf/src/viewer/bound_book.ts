@@ -1,6 +1,13 @@
 /** A book under one binding. Each change of binding makes a new one, shown by the same stage. */
 
-import { edgeFor, type LayoutOptions, layoutFor, pagesNamed, placePages } from "../book/layout.ts";
+import {
+  coverFor,
+  edgeFor,
+  type LayoutOptions,
+  layoutFor,
+  pagesNamed,
+  placePages,
+} from "../book/layout.ts";
 import { nextTo } from "../book/leaf_order.ts";
 import { bookThickness, type StockRun, stockRuns } from "../book/leaf_stocks.ts";
 import {
@@ -21,6 +28,7 @@ import type { BookPose, BookShape } from "../stage/book_pose.ts";
 import type { BookStage } from "../stage/book_stage.ts";
 import { caseSizes } from "../stage/case_sizes.ts";
 import { pageWidthIn, paperSize } from "../stage/page_width.ts";
+import type { PageTheme } from "../stage/themes.ts";
 import { CornerPeek } from "./corner_peek.ts";
 import { Drags } from "./drag.ts";
 import { FaceTextures } from "./face_textures.ts";
@@ -30,6 +38,8 @@ import { TickCounter } from "./frame_timing.ts";
 export interface BindingOptions extends LayoutOptions {
   /** CSS colour of the boards. */
   readonly cloth: string;
+  /** The colours of paper, edges and boards. */
+  readonly theme: PageTheme;
   /** Strength of the shadows of leaves on pages, 0 to 1. */
   readonly shadows: number;
   /** From where it is seen: where a reader sits, or right above. */
@@ -44,7 +54,7 @@ export interface BindingOptions extends LayoutOptions {
 export interface Bindable {
   readonly source: Pick<
     PageSource,
-    "pageCount" | "direction" | "edge" | "layout" | "inSpread" | "kind" | "mayFace"
+    "pageCount" | "direction" | "edge" | "layout" | "inSpread" | "kind" | "mayFace" | "cover"
   >;
   /** A page's size in the source's unit, and its width over its height: others once it is measured anew. */
   leaf: PageSize;
@@ -80,7 +90,8 @@ export function layOutBinding(
 ): BindingLayout {
   const { source } = book;
   const { pageCount, kind } = source;
-  const { cover, cloth, shadows, camera, tilt, margin } = options;
+  const { cloth, theme, shadows, camera, tilt, margin } = options;
+  const { cover, boards } = coverFor(options.cover, source.cover, pageCount);
   const edge = edgeFor(options.binding, source);
   const isQuarterTurned = edge === "top" || edge === "bottom";
   const requested = options.layout === "auto" ? (source.layout ?? "auto") : options.layout;
@@ -90,7 +101,7 @@ export function layOutBinding(
   const place = [width, height] as const;
   const usual = layoutFor(requested, book.aspect, isQuarterTurned, ...place, before, mayFace);
   const hardPages = pagesNamed(options.hardPages, pageCount);
-  const places = placePages(pageCount, options, source.inSpread?.bind(source));
+  const places = placePages(pageCount, options, source.inSpread?.bind(source), boards);
   const bindIn = (layout: Layout): Binding =>
     bind(pageCount, cover, { edge, layout, hardPages, ...places });
   const inUsual = bindIn(usual);
@@ -110,6 +121,7 @@ export function layOutBinding(
     cover: binding.hardCover ? "hard" : "none",
     rim: binding.hardCover ? caseSizes.rim : 0,
     cloth,
+    theme,
     shadows,
     fromAbove: camera === "overhead",
     tilt,
@@ -169,7 +181,7 @@ export class BoundBook {
     this.turning = turning;
     this.peek = peek;
     this.drags = new Drags({ engine, stage, binding, turning, peek, shape, moved: events.moved });
-    this.faceTextures = new FaceTextures(binding, stage, turning, pictures);
+    this.faceTextures = new FaceTextures(binding, stage, turning, pictures, shape.cloth);
     this.ticks = new TickCounter(engine.tick);
   }
 

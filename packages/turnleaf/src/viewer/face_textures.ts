@@ -80,14 +80,23 @@ export class FaceTextures {
   readonly #stage: BookStage;
   readonly #turning: Turning;
   readonly #pictures: PageBitmaps;
+  readonly #cloth: string;
   /** The bitmaps on the stage, in the order in which they were brought there. */
   #shown: readonly (PagePicture | null)[] = [];
 
-  constructor(binding: Binding, stage: BookStage, turning: Turning, pictures: PageBitmaps) {
+  /** @param cloth CSS colour of the boards */
+  constructor(
+    binding: Binding,
+    stage: BookStage,
+    turning: Turning,
+    pictures: PageBitmaps,
+    cloth: string,
+  ) {
     this.#binding = binding;
     this.#stage = stage;
     this.#turning = turning;
     this.#pictures = pictures;
+    this.#cloth = cloth;
   }
 
   /** Requests the visible pages and those that may come next. */
@@ -131,8 +140,14 @@ export class FaceTextures {
       shown.push(picture);
       return picture;
     };
+    const { hardCover, reversed } = this.#binding;
+    const front = hardCover ? (reversed ? "backOutside" : "frontOutside") : null;
     for (const face of faceNames) {
       const page = pages[face];
+      if (page === null && face === front) {
+        this.#stage.setFace(face, note(this.#pictures.stampOn(this.#cloth)));
+        continue;
+      }
       const under = isStill && page !== null ? this.#pictures.under(page) : null;
       this.#stage.setFace(face, note(under ?? this.#pictureOf(face, page)));
     }

@@ -2,7 +2,7 @@
 
 import { movedLayout } from "../book/moved_lists.ts";
 import { applyPaper, type Paper, scaleOf } from "../book/paper.ts";
-import { type Layout, pageOf, pagesAt, spineOf, spreadOf } from "../book/spreads.ts";
+import { type Binding, type Layout, pageOf, pagesAt, spineOf, spreadOf } from "../book/spreads.ts";
 import type { BookEngine, BookSize } from "../engine/book_engine.ts";
 import type { PageBitmaps } from "../pages/page_bitmaps.ts";
 import { type NewIndex, placeOf } from "../sources/page_source.ts";
@@ -25,6 +25,13 @@ export interface RebinderParts {
   readonly options: ViewerOptions;
   /** Receives the events of the bound book. */
   readonly events: BookEvents;
+}
+
+/** Returns which side is up at a spread at which a book lies shut and shows no page; null at any other. */
+function shutSide(binding: Binding, spread: number): "front" | "back" | null {
+  const { first, last, reversed } = binding;
+  if (pagesAt(binding, spread).length > 0 || (spread !== first && spread !== last)) return null;
+  return (spread === first) === reversed ? "back" : "front";
 }
 
 /** The book as it is bound now, and all changes that wait for its rest. */
@@ -51,7 +58,7 @@ export class Rebinder {
     this.#options = { ...defaultBinding, ...tools.options };
     this.#place = tools.options.page();
     this.#usual = plan.usual;
-    this.#bound = this.#bind(plan, engine);
+    this.#bound = this.#bind(plan, engine, tools.options.opensShut?.() ? "front" : null);
   }
 
   /** The book as it is bound now. `bindAnew` replaces it. */
@@ -173,7 +180,8 @@ export class Rebinder {
     this.#usual = plan.usual;
     const engine = this.#nextEngine ?? before.engine;
     this.#parts.stage.bind(plan.shape, engine.creases !== undefined);
-    this.#bound = this.#bind(plan, engine.another(plan.shape));
+    const shut = shutSide(before.binding, before.turning.spread);
+    this.#bound = this.#bind(plan, engine.another(plan.shape), shut);
     this.#nextEngine?.destroy();
     this.#nextEngine = null;
     before.destroy();
@@ -191,15 +199,22 @@ export class Rebinder {
     return layOutBinding(this.#parts.book, this.#options, width, height, this.#place, this.#usual);
   }
 
-  /** Binds the book by a layout, open at the page to keep in sight. */
-  #bind(plan: BindingLayout, engine: BookEngine): BoundBook {
+  /**
+   * Binds the book by a layout, open at the page to keep in sight, or shut.
+   *
+   * @param shut the side up on which it lies if that has no page; null to open it in any case
+   */
+  #bind(plan: BindingLayout, engine: BookEngine, shut: "front" | "back" | null): BoundBook {
     const { stage, pictures, options, events } = this.#parts;
     const bound = new BoundBook(plan, engine, stage, pictures, events);
     pictures.bind((page) => spineOf(plan.binding, page));
     bound.turning.seconds = options.turnSeconds();
     this.#applyPaper(options.paper(), engine, plan);
     this.#nextPaper = null;
-    bound.turning.lay(spreadOf(plan.binding, this.#place));
+    const { first, last, reversed } = plan.binding;
+    const at = (shut === "front") === reversed ? last : first;
+    const isShut = shut !== null && shutSide(plan.binding, at) === shut;
+    bound.turning.lay(isShut ? at : spreadOf(plan.binding, this.#place));
     return bound;
   }
 

@@ -16,6 +16,7 @@ import { leafSize } from "../pages/leaf_size.ts";
 import { type LiveBitmaps, PageBitmaps } from "../pages/page_bitmaps.ts";
 import type { NewIndex, PageBox, PageSize, PageSource } from "../sources/page_source.ts";
 import type { BookStage, Place } from "../stage/book_stage.ts";
+import type { PageTheme } from "../stage/themes.ts";
 import type { Zoom } from "../stage/zoom.ts";
 import type { Backend } from "./backend.ts";
 import {
@@ -101,6 +102,7 @@ export class Viewer {
     this.#crossFade = new CrossFade(canvas, (from) => options.onRest(from, this.turning.spread));
     this.#camera = new CameraMotion(stage);
     this.#bitmaps = new PageBitmaps(source, book.leaf, {
+      theme: plan.shape.theme ?? "light",
       slowText: options.slowText,
       failureText: options.failureText,
       onArrive: (page) => {
@@ -271,6 +273,16 @@ export class Viewer {
   rebind(changes: Partial<BindingOptions>): void {
     this.#rebinder.setOptions(changes);
     this.#bindSoon();
+  }
+
+  /**
+   * Shows the book in the colours of a theme: paper, edges and boards as soon as it is at rest, and its
+   * pages, whose source draws them in other colours now, as they are drawn anew.
+   */
+  recolour(theme: PageTheme): void {
+    this.#bitmaps.recolour(theme);
+    for (let page = 1; page <= this.#source.pageCount; page++) this.#sharpness.redraw(page);
+    this.rebind({ theme });
   }
 
   /**

@@ -35,6 +35,11 @@ export interface ViewerOptions extends Partial<BindingOptions> {
   readonly paper: () => Paper;
   /** Returns the page (from 1) at which the book first lies open; called when it does. */
   readonly page: () => number;
+  /**
+   * Returns whether a book whose front board has no page first lies shut, rather than open at its first
+   * page; called likewise. The default is no.
+   */
+  readonly opensShut?: () => boolean;
   /** Returns the length of a played turn in seconds; called likewise. */
   readonly turnSeconds: () => number;
   /**
@@ -87,8 +92,9 @@ export interface ViewerOptions extends Partial<BindingOptions> {
 
 /** The default binding. */
 export const defaultBinding: BindingOptions = {
-  cover: "hard",
+  cover: "auto",
   cloth: "#6a2a26",
+  theme: "light",
   shadows: 1,
   camera: "reader",
   tilt: 0,

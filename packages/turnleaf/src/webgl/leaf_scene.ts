@@ -6,6 +6,7 @@ import { columnPlace, type Ray, type Surface } from "../engine/shapes.ts";
 import type { PagePicture } from "../sources/page_source.ts";
 import type { BookShape } from "../stage/book_pose.ts";
 import type { LeafSide, PageFace } from "../stage/book_stage.ts";
+import { lookOf } from "../stage/themes.ts";
 import { axesOf, fieldOfView, fitPoints, widestLens } from "./camera.ts";
 import { restingCase } from "./case_shape.ts";
 import { ContextWatch, openContext } from "./context.ts";
@@ -92,7 +93,7 @@ export class LeafScene {
       margin: 0.03,
       kind: "typeset",
     };
-    this.#textures = new PictureTextures(this.#renderer);
+    this.#textures = new PictureTextures(this.#renderer, lookOf({}).paper);
     const { paper, anisotropy } = this.#textures;
     this.#grains = new BookGrains(anisotropy);
     this.#materials = new BookMaterials(this.#shape, paper, this.#grains);

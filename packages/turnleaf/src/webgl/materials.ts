@@ -5,6 +5,7 @@ import type { Face } from "../book/faces.ts";
 import type { PageBox } from "../sources/page_source.ts";
 import type { BookShape } from "../stage/book_pose.ts";
 import type { LeafSide, PageFace } from "../stage/book_stage.ts";
+import { lookOf } from "../stage/themes.ts";
 import type { BookGrains } from "./grains.ts";
 import { layDetail } from "./ink.ts";
 import { PaperMaterial } from "./paper_material.ts";
@@ -42,15 +43,17 @@ export class BookMaterials {
       return this.#keep(new PaperMaterial(side, shape, blank, this.pixel));
     };
     this.pages = { left: this.#sheet(false, false), right: this.#sheet(true, false) };
+    const { paper, edges, cloth: bright } = lookOf(shape);
     const solid = (
       colour: string,
       look: Omit<SolidLook, "base" | "quarterTurned">,
-    ): SolidMaterial =>
-      this.#keep(
-        new SolidMaterial({ base: new Color(colour), quarterTurned: shape.quarterTurned, ...look }),
-      );
+      brightness = 1,
+    ): SolidMaterial => {
+      const base = new Color(colour).multiplyScalar(brightness);
+      return this.#keep(new SolidMaterial({ base, quarterTurned: shape.quarterTurned, ...look }));
+    };
     const cloth = (): SolidMaterial =>
-      solid(shape.cloth, { grain: grains.cloth, grainDepth: 1, paperiness: 0 });
+      solid(shape.cloth, { grain: grains.cloth, grainDepth: 1, paperiness: 0 }, bright);
     this.boards = {
       frontOutside: cloth(),
       frontInside: cloth(),
@@ -60,23 +63,19 @@ export class BookMaterials {
     this.boards.frontInside.setPicture(blank);
     this.boards.backInside.setPicture(blank);
     this.spine = cloth();
-    this.leafEdges = solid("#efe4cf", {
+    this.leafEdges = solid(edges, {
       grain: grains.leafEdges,
       grainDepth: 1,
       paperiness: 0.35,
       twoSided: true,
     });
     const fold = (): SolidMaterial =>
-      solid("#fbf5e8", { grain: grains.cloth, grainDepth: 0, paperiness: 1, twoSided: true });
+      solid(paper, { grain: grains.cloth, grainDepth: 0, paperiness: 1, twoSided: true });
     this.endpapers = { frontInside: fold(), backInside: fold() };
     this.endpapers.frontInside.setPicture(blank);
     this.endpapers.backInside.setPicture(blank);
-    this.headband = solid("#b9a37e", {
-      grain: grains.headband,
-      grainDepth: 1,
-      paperiness: 0,
-      twoSided: true,
-    });
+    const headband = { grain: grains.headband, grainDepth: 1, paperiness: 0, twoSided: true };
+    this.headband = solid("#b9a37e", headband, bright);
   }
 
   /** Shows a picture on a face; `blank` stands for no picture, and outside the boards null does. */

@@ -1,8 +1,9 @@
 /** The material of a printed sheet: a resting page, or one side of a leaf in flight. */
 
-import { BackSide, FrontSide, ShaderMaterial, type Texture } from "three";
+import { BackSide, Color, FrontSide, ShaderMaterial, type Texture } from "three";
 import type { Paper } from "../engine/shapes.ts";
 import type { BookShape } from "../stage/book_pose.ts";
+import { lookOf } from "../stage/themes.ts";
 import { inkChunk, inkUniforms } from "./ink.ts";
 import { layPapers, papersChunk, paperUniforms } from "./papers.ts";
 import { gapChunk, lightChunk, pictureChunk } from "./shading.ts";
@@ -72,6 +73,7 @@ uniform float ceiling;
 uniform float pool;
 uniform float shadows;
 uniform vec2 size;
+uniform vec3 bare;
 #ifdef TORN
 uniform float opened;
 #endif
@@ -103,19 +105,17 @@ float keyHere() {
   return dot(keyFractions(left, right), vec3(1.0 / 3.0));
 }
 
-const vec3 BARE = vec3(0.965, 0.913, 0.807);
-
 // Beside a page that is smaller than the book its leaf is cut, or bare where its other side is larger.
 vec3 besidePrint(vec4 print, vec2 uv) {
   float behind = texture2D(pictureBehind, onPicture(vec2(1.0 - uv.x, uv.y))).a;
   float leaf = max(print.a, behind);
   if (thin > 0.5 && leaf < 0.5) discard;
-  vec3 ink = mix(BARE, print.rgb, smoothstep(0.4, 0.6, print.a));
+  vec3 ink = mix(bare, print.rgb, smoothstep(0.4, 0.6, print.a));
   if (thin > 0.5) return ink;
   vec4 under = solid(texture2D(beneath, onPicture(uv), -0.4));
   // The edge shades what lies under it.
   float near = texture2D(picture, onPicture(uv), 4.0).a;
-  vec3 lower = mix(BARE, under.rgb, under.a) * (1.0 - 0.3 * near);
+  vec3 lower = mix(bare, under.rgb, under.a) * (1.0 - 0.3 * near);
   return mix(lower, ink, smoothstep(0.4, 0.6, leaf));
 }
 
@@ -138,7 +138,7 @@ float wander(float at) {
 vec3 fibresAt(vec3 ink, float from, float along, float reach) {
   if (from < 0.0) discard;
   float fibres = 1.0 - smoothstep(0.0, reach, from - 0.5 * reach * wander(2000.0 + along / 0.0006));
-  return mix(ink, vec3(0.985, 0.965, 0.93), 0.8 * fibres);
+  return mix(ink, bare * vec3(1.02, 1.06, 1.15), 0.8 * fibres);
 }
 
 float raggedness(float along) {
@@ -231,10 +231,11 @@ export class PaperMaterial extends ShaderMaterial {
   /** @param pixel the size of a CSS pixel on the book, metres: shadows of paper on paper are no finer */
   constructor(
     side: PaperSide,
-    { kind, width, height, quarterTurned, shadows }: BookShape,
+    shape: BookShape,
     paper: Texture,
     pixel: { readonly value: number },
   ) {
+    const { kind, width, height, quarterTurned, shadows } = shape;
     super({
       defines: {
         ...(quarterTurned ? { QUARTER_TURNED: "" } : {}),
@@ -258,6 +259,7 @@ export class PaperMaterial extends ShaderMaterial {
         ...paperUniforms(),
         pixel,
         size: { value: [width, height] },
+        bare: { value: new Color(lookOf(shape).paper) },
         opened: { value: -1 },
       },
     });

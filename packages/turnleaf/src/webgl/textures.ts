@@ -18,18 +18,19 @@ const mostAnisotropy = 8;
 /** Textures by picture. */
 export class PictureTextures {
   /** What a face shows while it has no picture. */
-  readonly paper: Texture;
+  paper: Texture;
   /** Anisotropy of the textures, from 1 for none. */
   readonly anisotropy: number;
   readonly #renderer: WebGLRenderer;
   readonly #textures = new Map<PagePicture, Texture>();
 
-  constructor(renderer: WebGLRenderer) {
+  /** @param paper CSS colour of six digits of what a face shows while it has no picture */
+  constructor(renderer: WebGLRenderer, paper: string) {
     this.#renderer = renderer;
     this.anisotropy = drawsInSoftware(renderer.getContext())
       ? 1
       : Math.min(mostAnisotropy, renderer.capabilities.getMaxAnisotropy());
-    this.paper = plainTexture(0xfb, 0xf5, 0xe8);
+    this.paper = plainTexture(paper);
   }
 
   /** Returns the picture's texture, uploaded to the GPU now rather than in the middle of a turn. */
@@ -48,6 +49,13 @@ export class PictureTextures {
     this.#textures.set(picture, texture);
     if (!this.#renderer.getContext().isContextLost()) this.#renderer.initTexture(texture);
     return texture;
+  }
+
+  /** Changes the colour of bare paper, for materials that are made from now on. Returns the texture of before, to be disposed of. */
+  setPaper(colour: string): Texture {
+    const before = this.paper;
+    this.paper = plainTexture(colour);
+    return before;
   }
 
   /** Has what was drawn on a canvas since then uploaded with the next frame. */
@@ -81,8 +89,10 @@ export class PictureTextures {
   }
 }
 
-function plainTexture(r: number, g: number, b: number): Texture {
-  const texture = new DataTexture(new Uint8Array([r, g, b, 255]), 1, 1, RGBAFormat);
+function plainTexture(colour: string): Texture {
+  const number = Number.parseInt(colour.slice(1), 16);
+  const pixel = new Uint8Array([number >> 16, (number >> 8) & 255, number & 255, 255]);
+  const texture = new DataTexture(pixel, 1, 1, RGBAFormat);
   texture.colorSpace = SRGBColorSpace;
   texture.needsUpdate = true;
   return texture;

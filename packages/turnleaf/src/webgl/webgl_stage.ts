@@ -20,6 +20,7 @@ import type {
   PageFace,
   Place,
 } from "../stage/book_stage.ts";
+import { lookOf } from "../stage/themes.ts";
 import { overheadAt, type Zoom, ZoomState } from "../stage/zoom.ts";
 import { BeyondSpine } from "./beyond_spine.ts";
 import {
@@ -102,7 +103,7 @@ export class WebGLStage implements BookStage {
     this.#renderer = renderer;
     this.#replaced = replaced;
     this.isSoftware = drawsInSoftware(this.#renderer.getContext());
-    this.#pictures = new PictureTextures(this.#renderer);
+    this.#pictures = new PictureTextures(this.#renderer, lookOf(shape).paper);
     this.#grains = new BookGrains(this.#pictures.anisotropy);
     this.#materials = new BookMaterials(shape, this.#pictures.paper, this.#grains);
     this.#book = new DrawnBook(shape, this.#materials);
@@ -124,6 +125,9 @@ export class WebGLStage implements BookStage {
     this.#replaced.push(this.#book, this.#materials);
     this.#faces.clear();
     for (const side of sides) this.#grids[side] = null;
+    if (shape.theme !== this.#shape.theme) {
+      this.#replaced.push(this.#pictures.setPaper(lookOf(shape).paper));
+    }
     this.#shape = shape;
     this.#materials = new BookMaterials(shape, this.#pictures.paper, this.#grains);
     this.#book = new DrawnBook(shape, this.#materials);
@@ -317,9 +321,10 @@ export class WebGLStage implements BookStage {
   /** Returns the print of a page on the pixels of the screen; null if it is seen aslant. */
   #gridOf(side: PageFace): PrintGrid | null {
     const { closedRight, closedLeft } = this.#book.framing;
-    const isShut = !this.#shape.fromAbove && closedRight + closedLeft > 0;
-    if (this.#texels === 0 || isShut) return null;
-    const { quarterTurned, height, width, thickness } = this.#shape;
+    const { cover, fromAbove, quarterTurned, height, width, thickness } = this.#shape;
+    // On its way between open and shut, and shut, a book in boards is seen aslant.
+    const isAslant = cover === "hard" && !fromAbove && closedRight + closedLeft > 0;
+    if (this.#texels === 0 || isAslant) return null;
     const texels = this.#texels;
     const onScreen = ({ x, y }: Place) => [x * this.#ratio, y * this.#ratio] as const;
     const [u, v] = [side === "left" ? 1 : 0, 0.5];

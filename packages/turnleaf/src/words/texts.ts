@@ -83,8 +83,6 @@ export interface ControlTexts {
   readonly theme: string;
   readonly themeAuto: string;
   readonly themeLight: string;
-  readonly themeDark: string;
-  readonly themePaper: string;
   readonly type: string;
   readonly typeSize: string;
   readonly typeface: string;
@@ -107,7 +105,6 @@ export interface ControlTexts {
   readonly wordSpacing: string;
   /** Some words to be set as the reader chooses. */
   readonly typeSample: string;
-  readonly paper: string;
   /** The choice of what the book itself says. */
   readonly asInBook: string;
   /** The same in few letters. */
@@ -115,7 +112,12 @@ export interface ControlTexts {
   readonly serif: string;
   readonly sansSerif: string;
   readonly sepia: string;
+  readonly grey: string;
   readonly night: string;
+  /** Over the choice of what dark themes do with pages that are drawn already. */
+  readonly darkPages: string;
+  readonly inverted: string;
+  readonly dimmed: string;
   readonly noContents: string;
   /** Over a list of what cannot be shown of the book. */
   readonly notShown: Plural;

@@ -140,11 +140,11 @@ export function inOrder(names: readonly string[]): string[] {
   return paths.map(({ name }) => name);
 }
 
-/** Returns scans with the front cover before all others, if one is named so. */
+/** Returns scans with the front cover before all others, if ComicInfo.xml or its own name says that it is one. */
 function coverFirst(scans: readonly Scan[]): readonly Scan[] {
-  const isCover = ({ path }: Scan): boolean =>
+  const isNamed = ({ path }: Scan): boolean =>
     coverName.test((path.split("/").pop() ?? "").replace(/\.[^.]*$/, ""));
-  const cover = scans.find(isCover);
+  const cover = scans.find(({ isFront }) => isFront) ?? scans.find(isNamed);
   const ordered = cover ? [cover, ...scans.filter((scan) => scan !== cover)] : scans;
   return ordered.map((scan, index) => ({
     ...scan,
@@ -176,6 +176,8 @@ interface Scan {
   /** Whether ComicInfo.xml says that it is of two pages; null if it does not say. */
   readonly double: boolean | null;
   readonly bookmark: string;
+  /** Whether ComicInfo.xml says that it is the front cover. */
+  readonly isFront: boolean;
   /** Whether it is the first or the last, which are covers. */
   readonly isCover: boolean;
 }
@@ -194,7 +196,11 @@ async function measureAll(
       const path = files[index] as string;
       const page = info.pages.get(index);
       if (page?.deleted) continue;
-      const about = { double: page?.double ?? null, bookmark: page?.bookmark ?? "" };
+      const about = {
+        double: page?.double ?? null,
+        bookmark: page?.bookmark ?? "",
+        isFront: page?.isCover ?? false,
+      };
       const scans = await measureFile(archive, path, about);
       found[index] = scans;
       count += scans.length;
@@ -213,7 +219,7 @@ async function measureAll(
 async function measureFile(
   archive: Archive,
   path: string,
-  about: Pick<Scan, "double" | "bookmark">,
+  about: Pick<Scan, "double" | "bookmark" | "isFront">,
 ): Promise<Scan[]> {
   const whole = async (): Promise<Blob> => new Blob([await archive.read(path, limits.imageBytes)]);
   const start = await startOf(archive, path);

@@ -8,6 +8,8 @@ import { readMarkup } from "../markup/read_markup.ts";
 export interface ComicPage {
   /** Whether it is both pages of a spread; null if nothing is said. */
   readonly double: boolean | null;
+  /** Whether it is the front cover. */
+  readonly isCover: boolean;
   /** Whether it is not to be shown. */
   readonly deleted: boolean;
   /** The title of a bookmark on it, or "". */
@@ -60,6 +62,7 @@ function pageOf(element: Element): [number, ComicPage][] {
         double: element.hasAttribute("DoublePage")
           ? element.getAttribute("DoublePage")?.toLowerCase() === "true"
           : null,
+        isCover: element.getAttribute("Type") === "FrontCover",
         deleted: element.getAttribute("Type") === "Deleted",
         bookmark: cleanText(element.getAttribute("Bookmark")),
       },

@@ -580,14 +580,13 @@ describe("text that is set anew", () => {
     expect(page).toBe(3);
   });
 
-  test("has the typeface, lines, margins and colours that are chosen", async () => {
+  test("has the typeface, lines and margins that are chosen", async () => {
     const source = await laidOut({ chapters: [prose(2)], css: "p { color: #f00; margin: 0 }" });
     const before = (await source.text?.(0, never)) ?? [];
-    await change(source, { font: "sans-serif", lineHeight: 2, margins: 2, colours: "night" });
+    await change(source, { font: "sans-serif", lineHeight: 2, margins: 2 });
     const after = (await source.text?.(0, never)) ?? [];
     expect((after[1]?.y ?? 0) - (after[0]?.y ?? 0)).toBe(32);
     expect(after[0]?.x).toBeCloseTo(2 * (before[0]?.x ?? 0), -1);
-    expect(await colourAt(source, 0, 0.01, 0.01)).toBe("28,27,26");
   });
 
   test("is that of the last choice, however many are made at once", async () => {

@@ -28,11 +28,13 @@ import type {
   FlowTarget,
 } from "../typeset/flow_book.ts";
 import { FlowSource } from "../typeset/flow_source.ts";
+import { coverSection } from "../typeset/lone_picture.ts";
 import { linesIn } from "../typeset/page_estimate.ts";
 import { isRightToLeft } from "../typeset/writing_direction.ts";
 import { warningOf } from "../warnings.ts";
-import { loadChapter, sizeIn } from "./chapter.ts";
+import { type Chapter, loadChapter, sizeIn } from "./chapter.ts";
 import { folderOfEpub, packageOf } from "./container.ts";
+import { coverOf } from "./cover.ts";
 import { EpubFiles } from "./epub_files.ts";
 import { dublinCore } from "./legacy_package.ts";
 import { NamedFiles } from "./named_files.ts";
@@ -174,6 +176,16 @@ async function readEpub(archive: Archive, file: Blob, name: string): Promise<Flo
     const sentence = ordered[0]?.missing ?? `${name} has no chapters; get it again.`;
     throw new BookError(sentence, { code: "empty", source: name });
   }
+  const first = ordered.find((_, index) => index === 0 && rollsOf(ordered)[0] === undefined);
+  const isReadable = first?.missing === "" && !first.isFixed;
+  const picture = pictureNamed(manifest, resources.cover, names);
+  const cover = isFixedBook
+    ? null
+    : await coverOf(isReadable ? first : null, picture, files, (path) => archive.size(path));
+  if (cover && !cover.isFirst) {
+    const about = { missing: "", isAside: false, side: undefined, flow: "" };
+    ordered.unshift({ id: "", ...cover.chapter, ...about });
+  }
   const rolls = rollsOf(ordered);
   const usualSize = usualSizeOf(resources.opf);
   const sections = ordered.map((chapter, index): FlowSection => {
@@ -185,6 +197,9 @@ async function readEpub(archive: Archive, file: Blob, name: string): Promise<Flo
       }
       return await loadChapter(files, chapter, name, usualSize);
     };
+    if (cover && index === 0) {
+      return coverSection(() => loadChapter(files, { ...cover.chapter, isFixed: false }, name));
+    }
     const roll = rolls[index];
     const where = { ...(side ? { side } : {}), ...(roll === undefined ? {} : { roll }) };
     const lines = async (): Promise<number> =>
@@ -250,6 +265,7 @@ async function readEpub(archive: Archive, file: Blob, name: string): Promise<Flo
     language,
     direction,
     ...layoutOf(rendition.spread, isFixedBook),
+    ...(isFixedBook ? {} : { cover: cover ? "picture" : "stamped" }),
     details: creatorsOf(resources.opf),
     sections,
     outline: outline(toc),
@@ -282,6 +298,20 @@ async function withPagesOfPictures<T extends Pick<ManifestItem, "href" | "mediaT
     }
   }
   return found;
+}
+
+/** Returns the picture that a package names as its cover, if the archive has it; null if not. */
+function pictureNamed(
+  manifest: Manifest,
+  cover: ManifestItem | null | undefined,
+  names: ReadonlySet<string>,
+): Chapter | null {
+  const found = cover ? withFallbacks(manifest, cover.id) : [];
+  const picture = found.find(
+    ({ href, mediaType }) =>
+      readableTypes.test(mediaType) && /^image\//.test(mediaType) && names.has(href),
+  );
+  return picture ? { ...picture, isFixed: true } : null;
 }
 
 /** The path of a container, and one that names a package. */

@@ -33,6 +33,8 @@ declare module "foliate-js/epub.js" {
       readonly opf: Document;
       readonly manifest: readonly ManifestItem[];
       readonly spine: readonly SpineItem[];
+      /** The picture that the package names as its cover. */
+      readonly cover?: ManifestItem | null;
     };
     readonly toc?: readonly TocItem[] | null;
     readonly dir?: string | null;

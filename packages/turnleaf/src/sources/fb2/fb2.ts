@@ -17,6 +17,7 @@ import type {
   FlowTarget,
 } from "../typeset/flow_book.ts";
 import { FlowSource } from "../typeset/flow_source.ts";
+import { coverSection } from "../typeset/lone_picture.ts";
 import { linesIn } from "../typeset/page_estimate.ts";
 import { isRightToLeft } from "../typeset/writing_direction.ts";
 import { decodeXml } from "../xml_text.ts";
@@ -133,7 +134,9 @@ async function readFb2(text: string, file: Blob, name: string): Promise<FlowBook
   const { places, outline } = readPlaces(parts);
   const files = filesOf(root);
   const language = cleanLanguage(childOf(info, "lang")?.textContent);
-  const sections = parts.map((part): FlowSection => {
+  const isCovered = parts[0]?.nodes[0]?.localName === "image";
+  const sections = parts.map((part, index): FlowSection => {
+    if (isCovered && index === 0) return coverSection(() => load(part, files, name));
     return {
       length: part.nodes.reduce((sum, node) => sum + (node.textContent?.length ?? 0), 0),
       isFixed: false,
@@ -146,6 +149,7 @@ async function readFb2(text: string, file: Blob, name: string): Promise<FlowBook
     title: cleanText(childOf(info, "book-title")?.textContent) || name,
     language,
     direction: isRightToLeft(language) ? "rtl" : "ltr",
+    cover: isCovered ? "picture" : "stamped",
     details: authorsOf(info),
     sections,
     outline,

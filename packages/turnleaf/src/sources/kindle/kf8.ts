@@ -5,9 +5,11 @@ import { isPageSize, limits } from "../limits.ts";
 import { type CleanSheet, cleanCss } from "../markup/clean_css.ts";
 import { cleanMarkup, type MarkupFiles } from "../markup/clean_markup.ts";
 import { checkedData } from "../markup/data_address.ts";
+import { parseMarkup } from "../markup/parse_markup.ts";
 import { readMarkup } from "../markup/read_markup.ts";
 import type { PageSize } from "../page_source.ts";
 import type { FlowContent, FlowSection, FlowTarget } from "../typeset/flow_book.ts";
+import { coverSection, lonePicture } from "../typeset/lone_picture.ts";
 import { linesIn } from "../typeset/page_estimate.ts";
 import { mark } from "./kindle_header.ts";
 import { type KindleParts, type KindleText, outlineOf } from "./kindle_text.ts";
@@ -82,6 +84,11 @@ export async function openKf8(book: KindleParts): Promise<KindleText> {
     },
   };
   const size = header.isFixed ? sizeOf(header.resolution) : null;
+  const isCover = async (skeleton: Skeleton): Promise<boolean> => {
+    const markup = decoder.decode(assembled(text, skeleton, name));
+    const { document } = await readMarkup(markup, "application/xhtml+xml");
+    return lonePicture(document.documentElement) !== null;
+  };
   const load = async (skeleton: Skeleton): Promise<FlowContent> => {
     const markup = decoder.decode(assembled(text, skeleton, name));
     const { document } = await readMarkup(markup, "application/xhtml+xml");
@@ -95,11 +102,13 @@ export async function openKf8(book: KindleParts): Promise<KindleText> {
     const content = await cleanMarkup(document, files, `A chapter of ${name}`);
     return size ? { ...content, size } : content;
   };
+  const isFirst = size === null && skeletons[0] !== undefined && (await isCover(skeletons[0]));
+  const isBefore = size === null && !isFirst && header.cover !== null;
   const sectionOf = new Map<number, number>();
   const fragments = new Map<number, Fragment>();
   skeletons.forEach((skeleton, section) => {
     for (const fragment of skeleton.fragments) {
-      sectionOf.set(fragment.index, section);
+      sectionOf.set(fragment.index, section + (isBefore ? 1 : 0));
       fragments.set(fragment.index, fragment);
     }
   });
@@ -124,7 +133,8 @@ export async function openKf8(book: KindleParts): Promise<KindleText> {
         return index === undefined ? null : targetOf(index, offset);
       })
     : [];
-  const sections = skeletons.map((skeleton): FlowSection => {
+  const sections = skeletons.map((skeleton, index): FlowSection => {
+    if (index === 0 && isFirst) return coverSection(() => load(skeleton));
     const length = skeleton.fragments.reduce((sum, one) => sum + one.length, skeleton.length);
     return {
       length,
@@ -133,7 +143,15 @@ export async function openKf8(book: KindleParts): Promise<KindleText> {
       load: () => load(skeleton),
     };
   });
-  return { sections, outline, resolve };
+  if (isBefore) {
+    const digits = ((header.cover ?? 0) + 1).toString(32).padStart(4, "0");
+    const markup = `<html><body><img src="kindle:embed:${digits}" alt=""></body></html>`;
+    const cover = coverSection(() =>
+      cleanMarkup(parseMarkup(markup, "text/html"), files, `The cover of ${name}`),
+    );
+    sections.unshift(cover);
+  }
+  return { sections, outline, resolve, ...(size ? {} : { isCovered: isFirst || isBefore }) };
 }
 
 /** Returns the sections that have something in them. */

@@ -63,7 +63,9 @@ async function readKindle(file: Blob, name: string): Promise<FlowBook> {
     read,
     table: (record) => readIndex(record, read, header.encoding, name),
   };
-  const { sections, outline, resolve } = await (header.version >= 8 ? openKf8 : openMobi6)(parts);
+  const { sections, outline, resolve, isCovered } = await (header.version >= 8
+    ? openKf8
+    : openMobi6)(parts);
   if (sections.length === 0)
     throw new BookError(`${name} has no text; get it again.`, { code: "empty", source: name });
   const language = cleanLanguage(header.language);
@@ -73,6 +75,7 @@ async function readKindle(file: Blob, name: string): Promise<FlowBook> {
     language,
     direction: header.direction === "rtl" || isRightToLeft(language) ? "rtl" : "ltr",
     details: header.authors.map((author) => ({ label: "", value: plainText(author) })),
+    ...(isCovered === undefined ? {} : { cover: isCovered ? "picture" : "stamped" }),
     sections,
     outline,
     asksToLeave: true,

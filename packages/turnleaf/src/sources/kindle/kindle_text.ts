@@ -26,6 +26,8 @@ export interface KindleParts {
 export interface KindleText {
   readonly sections: readonly FlowSection[];
   readonly outline: readonly FlowOutline[];
+  /** Whether the first section is the cover's picture; undefined for pages of fixed layout. */
+  readonly isCovered?: boolean;
   resolve(href: string): FlowTarget | null;
 }
 

@@ -11,6 +11,7 @@ import {
   type FlowTarget,
   styleAttribute,
 } from "../typeset/flow_book.ts";
+import { coverSection } from "../typeset/lone_picture.ts";
 import { linesIn } from "../typeset/page_estimate.ts";
 import { type KindleParts, type KindleText, outlineOf, plainText } from "./kindle_text.ts";
 
@@ -88,17 +89,10 @@ export async function openMobi6(book: KindleParts): Promise<KindleText> {
       load: () => load(part),
     };
   });
-  const cover: FlowSection = {
-    length: 0,
-    isFixed: false,
-    lines: async () => 0,
-    load: async () => {
-      const markup = `<html><body><p align="center"><img src="recindex:${(header.cover ?? 0) + 1}" alt=""></p></body></html>`;
-      const document = parseMarkup(markup, "text/html");
-      const content = await cleanMarkup(document, files, `The cover of ${name}`);
-      return { root: content.root, styles: [style] };
-    },
-  };
+  const cover = coverSection(() => {
+    const markup = `<html><body><img src="recindex:${(header.cover ?? 0) + 1}" alt=""></body></html>`;
+    return cleanMarkup(parseMarkup(markup, "text/html"), files, `The cover of ${name}`);
+  });
   const resolve = (href: string): FlowTarget | null => {
     const place = /^#filepos(\d{1,10})$/.exec(href)?.[1];
     return place === undefined ? null : targetOf(Number(place));
@@ -106,7 +100,8 @@ export async function openMobi6(book: KindleParts): Promise<KindleText> {
   const outline = table
     ? outlineOf(table, (numbers) => targetOf(numbers(1)[0] ?? Number.POSITIVE_INFINITY))
     : guideOutline(letters, parts, decoder, text, resolve);
-  return { sections: header.cover === null ? sections : [cover, ...sections], outline, resolve };
+  const isCovered = header.cover !== null;
+  return { sections: isCovered ? [cover, ...sections] : sections, outline, resolve, isCovered };
 }
 
 /** Returns the parts between breaks; one without anything to see belongs to the part before it. */

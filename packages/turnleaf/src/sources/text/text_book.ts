@@ -72,6 +72,7 @@ function bookOf(chapters: readonly Chapter[], file: Blob, name: string): FlowBoo
     title: (first?.depth === 1 && first.title) || name,
     language: "",
     direction: "ltr",
+    cover: "none",
     sections: chapters.map((chapter) => sectionOf(chapter, name)),
     outline: outlineOf(chapters),
     resolve: (_section, href) => {

@@ -3,7 +3,13 @@
  * order, which `FlowSource` sets into pages.
  */
 
-import type { BookDetail, BookWarning, BookWarningCode, PageSize } from "../page_source.ts";
+import type {
+  BookDetail,
+  BookWarning,
+  BookWarningCode,
+  PageSize,
+  PageSource,
+} from "../page_source.ts";
 
 /** A part of a book that begins on a page of its own: a chapter, or a page of fixed layout. */
 export interface FlowSection {
@@ -113,6 +119,8 @@ export interface FlowBook {
   readonly direction: "ltr" | "rtl";
   /** Two pages or one, if the book says so. */
   readonly layout?: "spread" | "single";
+  /** How it is covered, as `PageSource` has it. */
+  readonly cover?: PageSource["cover"];
   /** Who made it, and the like. */
   readonly details?: readonly BookDetail[];
   readonly sections: readonly FlowSection[];

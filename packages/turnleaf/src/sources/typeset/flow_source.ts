@@ -7,6 +7,7 @@ import {
   type NewIndex,
   type OutlineEntry,
   type PageBox,
+  type PageColours,
   type PageLink,
   type PageMedium,
   type PagePicture,
@@ -38,7 +39,7 @@ import {
   placeOfPage,
   type TextPlace,
 } from "./text_place.ts";
-import { ownTypography, paperOf } from "./typography.ts";
+import { ownTypography } from "./typography.ts";
 
 /** Sections about the reader's place: those of two open pages, and one beside them. */
 const nearSections = 3;
@@ -75,6 +76,8 @@ export class FlowSource implements PageSource {
   readonly direction: "ltr" | "rtl";
   readonly kind = "typeset";
   readonly layout?: "spread" | "single";
+  readonly cover: PageSource["cover"];
+  readonly authors: readonly string[];
   readonly details: readonly BookDetail[];
   /** Sets the book in another typography; absent if all its pages are of fixed layout. */
   readonly typeset?: (typography: Typography) => Promise<void>;
@@ -136,7 +139,10 @@ export class FlowSource implements PageSource {
     this.language = book.language;
     this.direction = book.direction;
     if (book.layout) this.layout = book.layout;
+    this.cover = book.cover;
     this.details = book.details ?? [];
+    // A name without a word about it is an author's.
+    this.authors = this.details.filter(({ label }) => label === "").map(({ value }) => value);
     this.#book = book;
     this.#contents = contents;
     this.#warnings = warnings;
@@ -199,6 +205,11 @@ export class FlowSource implements PageSource {
     return (side === "left") === (this.direction === "ltr") ? "first" : "second";
   }
 
+  colouring(index: number): "text" | "picture" {
+    const { section } = this.#pages.numbers.at(index);
+    return this.#book.sections[section]?.isFixed ? "picture" : "text";
+  }
+
   label(index: number): string {
     return String(index + 1);
   }
@@ -208,6 +219,7 @@ export class FlowSource implements PageSource {
     width: number,
     signal: AbortSignal,
     region: PageBox = wholePage,
+    colours: PageColours | null = null,
   ): Promise<PagePicture> {
     signal.throwIfAborted();
     const { section } = this.#at(index);
@@ -218,12 +230,12 @@ export class FlowSource implements PageSource {
     laid.mark(this.narration?.markIn(section) ?? null);
     const size = laid.layoutSize;
     // Its pages were estimated.
+    const own = this.colouring(index) === "text" ? colours : null;
+    const paper = own?.paper ?? "#fff";
     const isBlank = page < 0 || page >= laid.map.pageCount;
     const margins = this.#heads.marginsOf(section, page, index + 1, laid.map);
     this.#keepDrawn(index);
-    const svg = isBlank
-      ? blank(size, paperOf(this.#edition.typography))
-      : await laid.svg(page, margins);
+    const svg = isBlank ? blank(size, paper) : await laid.svg(page, margins, own);
     const picture = await drawMarkup(svg, size, region, width).catch(async (error: unknown) => {
       const isAllowed = await drawMarkup(blank(size, "#fff"), size, wholePage, 1).then(
         (drawn) => drawn.close() ?? true,

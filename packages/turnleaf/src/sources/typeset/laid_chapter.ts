@@ -1,4 +1,4 @@
-import type { PageSize, TextRun, Typography } from "../page_source.ts";
+import type { PageColours, PageSize, TextRun, Typography } from "../page_source.ts";
 import { divide } from "./divide.ts";
 import type { FlowContent } from "./flow_book.ts";
 import {
@@ -86,9 +86,9 @@ export class LaidChapter {
     this.map = joined(pieces);
   }
 
-  /** Returns a page as an SVG, with what stands in its margins. */
-  svg(page: number, margins: PageMargins): Promise<string> {
-    return this.#on(page, (laid, own) => laid.svg(own, margins));
+  /** Returns a page as an SVG, with what stands in its margins, in colours of the reader's if there are any. */
+  svg(page: number, margins: PageMargins, colours: PageColours | null): Promise<string> {
+    return this.#on(page, (laid, own) => laid.svg(own, margins, colours));
   }
 
   /** Returns the text of a page. */

@@ -1,6 +1,6 @@
 import { cleanText } from "../book_text.ts";
 import { isPageSize, limits } from "../limits.ts";
-import type { PageBox, PageSize, TextRun, Typography } from "../page_source.ts";
+import type { PageBox, PageColours, PageSize, TextRun, Typography } from "../page_source.ts";
 import { alignText } from "./align_text.ts";
 import { fitBoxes } from "./fit_boxes.ts";
 import {
@@ -22,6 +22,7 @@ import {
   unmoved,
 } from "./frame.ts";
 import { divideWords } from "./hyphenation/divide_words.ts";
+import { bleed } from "./lone_picture.ts";
 import { type MarginStyle, Markup, type PageMargins } from "./markup.ts";
 import { blankIds, isNoteLink, noteText } from "./notes.ts";
 import { measuresOf, type PageMeasures, paperback } from "./page_measures.ts";
@@ -31,9 +32,9 @@ import {
   baseStyle,
   columnStyle,
   fixedStyle,
-  paperOf,
   readerStyle,
   rollStyle,
+  spokenAttribute,
 } from "./typography.ts";
 import { writingOf } from "./writing_direction.ts";
 
@@ -159,14 +160,14 @@ export class LaidSection {
   }
 
   /**
-   * Returns a page as an SVG.
+   * Returns a page as an SVG, in colours of the reader's if there are any.
    *
    * @param margins what stands in its margins
    */
-  svg(page: number, margins: PageMargins): string {
+  svg(page: number, margins: PageMargins, colours: PageColours | null): string {
     const { stepX, stepY } = this.#flow;
     this.#markup ??= this.#makeMarkup();
-    return this.#markup.svg(page, -page * stepX, -page * stepY, margins);
+    return this.#markup.svg(page, { x: -page * stepX, y: -page * stepY }, margins, colours);
   }
 
   /** Returns the text of a page. */
@@ -240,7 +241,9 @@ export class LaidSection {
     ] as const) {
       if (mark === null) continue;
       if (mark.playbackClass !== "") this.#html.classList.toggle(mark.playbackClass, isOn);
-      this.#element(mark.id)?.classList.toggle(mark.activeClass || spokenClass, isOn);
+      const element = this.#element(mark.id);
+      element?.classList.toggle(mark.activeClass || spokenClass, isOn);
+      element?.toggleAttribute(spokenAttribute, isOn);
     }
     this.#spoken = spoken;
     this.#markup = null;
@@ -295,7 +298,7 @@ async function layIn<T>(
   isScrolled: boolean,
   done: (...parts: MadeParts) => T,
 ): Promise<T> {
-  const page = measuresOf(typography);
+  let page = measuresOf(typography);
   let size = content.size ?? { width: page.width, height: page.height };
   const html = frame.document.importNode(content.root, true) as HTMLElement;
   applyInlineStyles(html);
@@ -324,20 +327,26 @@ async function layIn<T>(
       ? { stepX: 0, stepY: page.height, isVertical }
       : { stepX: direction === "rtl" ? -page.width : page.width, stepY: 0, isVertical };
     html.style.setProperty("writing-mode", writingMode, "important");
-    own.push(reader, columnStyle(page, isVertical, direction));
   }
+  const inColumns =
+    content.size || isSliced ? [] : [reader, columnStyle(page, isVertical, direction)];
   // What the book calls the root's size is that of its own <html>.
   const rem = view.getComputedStyle(html).fontSize;
   html.style.setProperty("font-size", rem, "important");
   frame.drawing.style.setProperty("font-size", rem, "important");
-  frame.adopt(own);
+  frame.adopt([...own, ...inColumns]);
   if (!content.size) {
     alignText(body, typography.align);
     if (typography.hyphens !== "none") await divideWords(body);
   }
   await loadedIn(frame, html);
-  if (!content.size) {
-    const area = { width: page.width - 2 * page.sides, height: page.height - 2 * page.ends };
+  const area = { width: page.width - 2 * page.sides, height: page.height - 2 * page.ends };
+  if (inColumns.length > 0 && (await bleed(html, area, page))) {
+    page = { ...page, sides: 0, ends: 0 };
+    own.push(reader, columnStyle(page, isVertical, direction));
+    frame.adopt(own);
+  } else if (!content.size) {
+    own.push(...inColumns);
     // A roll has no ends that anything could be cut at.
     fitBoxes(body, isSliced ? { ...area, height: Number.POSITIVE_INFINITY } : area, writingMode);
   }
@@ -351,7 +360,6 @@ async function layIn<T>(
       ? sliceCount(html, page)
       : unmoved(frame, () => extentOf(html, flow, page));
   const pageCount = Math.ceil(extent);
-  const paper = content.size ? "#fff" : paperOf(typography);
   const map = {
     pageCount,
     extent,
@@ -373,7 +381,7 @@ async function layIn<T>(
           ends: page.ends,
           line: page.width - 2 * page.sides,
         };
-  const markup = (): Markup => new Markup(html, { styles, size, rem, paper, flow, margins });
+  const markup = (): Markup => new Markup(html, { styles, size, rem, flow, margins });
   return done(
     frame,
     flow,

@@ -2,11 +2,12 @@
 
 import { limits } from "../limits.ts";
 import { xmlOf, xmlText } from "../markup/xml.ts";
-import type { PageSize } from "../page_source.ts";
+import type { PageColours, PageSize } from "../page_source.ts";
 import { pixelsAttribute } from "./flow_book.ts";
 import { drawingOf, ownStyle } from "./frame.ts";
 import { styleElements } from "./style_elements.ts";
 import { type PageFlow, pageOfRect } from "./text_map.ts";
+import { colourStyle } from "./typography.ts";
 
 const xhtml = "http://www.w3.org/1999/xhtml";
 
@@ -48,8 +49,6 @@ export interface MarkupStyle {
   readonly size: PageSize;
   /** The root's type size, a CSS length. */
   readonly rem: string;
-  /** The paper's colour. */
-  readonly paper: string;
   /** How its margins are set; null if nothing stands there. */
   readonly margins: MarginStyle | null;
   readonly flow: PageFlow;
@@ -80,17 +79,24 @@ export class Markup {
     // Gone through once, however many pictures there are.
     this.#parts = markup.split(pictureData).map((part) => pictures.get(part) ?? part);
     this.#styles = styleElements(style.styles);
-    this.#paper = paperOf(html, view) ?? style.paper;
+    this.#paper = paperOf(html, view) ?? "#fff";
     this.#ink = view.getComputedStyle(html.querySelector("body") ?? html).color;
   }
 
   /**
-   * Returns a page as an SVG, its section moved by some CSS pixels.
+   * Returns a page as an SVG, in colours of the reader's if there are any.
    *
+   * @param moved by how much its section is moved, CSS pixels
    * @param margins what stands in its margins
    */
-  svg(page: number, x: number, y: number, margins: PageMargins): string {
+  svg(
+    page: number,
+    { x, y }: { readonly x: number; readonly y: number },
+    margins: PageMargins,
+    colours: PageColours | null,
+  ): string {
     const { size, rem } = this.#style;
+    const own = colours ? styleElements([colourStyle(colours)]) : "";
     const { width, height } = size;
     const shown = this.#shownOn(page);
     const html = this.#parts
@@ -99,15 +105,15 @@ export class Markup {
     const sized = `display: block; width: ${width}px; height: ${height}px`;
     const [whole, paper, view, section] = [
       `${sized}; font-size: ${rem}`,
-      `${sized}; fill: ${this.#paper}`,
+      `${sized}; fill: ${colours?.paper ?? this.#paper}`,
       `${sized}; position: relative; overflow: hidden`,
       `${sized}; position: absolute; left: 0; top: 0; font-size: 16px; transform: translate(${x}px, ${y}px)`,
     ].map(ownStyle);
-    return `<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${height}" viewBox="0 0 ${width} ${height}" style="${whole}">${this.#styles}<rect width="${width}" height="${height}" style="${paper}"/><foreignObject width="${width}" height="${height}" style="${ownStyle(sized)}"><div xmlns="${xhtml}" style="${view}"><div style="${section}">${html}</div></div></foreignObject>${this.#inMargins(margins)}</svg>`;
+    return `<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${height}" viewBox="0 0 ${width} ${height}" style="${whole}">${this.#styles}${own}<rect width="${width}" height="${height}" style="${paper}"/><foreignObject width="${width}" height="${height}" style="${ownStyle(sized)}"><div xmlns="${xhtml}" style="${view}"><div style="${section}">${html}</div></div></foreignObject>${this.#inMargins(margins, colours?.ink ?? this.#ink)}</svg>`;
   }
 
   /** Returns what stands in the margins as SVG: in the middle, as far from the text as from the edge or a little nearer. */
-  #inMargins({ head, folio }: PageMargins): string {
+  #inMargins({ head, folio }: PageMargins, ink: string): string {
     const { margins, size } = this.#style;
     // Nothing stands in margins that are hardly higher than it.
     if (margins === null || margins.ends < 2 * margins.size) return "";
@@ -116,7 +122,7 @@ export class Markup {
       const most = Math.floor(line / (marginLetter * margins.size));
       const short = text.length > most ? `${text.slice(0, most - 1).trimEnd()}…` : text;
       const style = ownStyle(
-        `font: ${margins.size}px Georgia, "Liberation Serif", "Times New Roman", serif; fill: ${this.#ink}; fill-opacity: ${marginOpacity}; text-anchor: middle; ${look}`,
+        `font: ${margins.size}px Georgia, "Liberation Serif", "Times New Roman", serif; fill: ${ink}; fill-opacity: ${marginOpacity}; text-anchor: middle; ${look}`,
       );
       if (text === "") return "";
       return `<text x="${size.width / 2}" y="${y}" style='${style}'>${xmlText(short)}</text>`;

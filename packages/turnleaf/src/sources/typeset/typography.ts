@@ -1,7 +1,7 @@
 /** How flowing text is set: the style sheets that follow from what the reader chooses. */
 
 import { areaDeclarations } from "../markup/paged_css.ts";
-import type { PageSize, Typography } from "../page_source.ts";
+import type { PageColours, PageSize, Typography } from "../page_source.ts";
 import { pieceStyle } from "./divide.ts";
 import type { PageMeasures } from "./page_measures.ts";
 import { familyOf, isTypeface } from "./typefaces/typefaces.ts";
@@ -16,21 +16,8 @@ export const ownTypography: Typography = {
   hyphens: "",
   letterSpacing: 0,
   wordSpacing: 0,
-  colours: "",
   width: 0,
 };
-
-/** Ink and paper. */
-const colours = {
-  "": { ink: "#000", paper: "#fff" },
-  sepia: { ink: "#3b2d1f", paper: "#f4ecd8" },
-  night: { ink: "#c9c5bd", paper: "#1c1b1a" },
-} as const;
-
-/** Returns the paper's colour. */
-export function paperOf(typography: Typography): string {
-  return colours[typography.colours].paper;
-}
 
 /** The style sheet beneath the book's own. */
 export const baseStyle = `
@@ -58,7 +45,6 @@ export function stackOf(font: Exclude<Typography["font"], "">): string {
 /** Returns the style sheet above the book's own. */
 export function readerStyle(typography: Typography): string {
   const { font, lineHeight, hyphens, letterSpacing, wordSpacing } = typography;
-  const { ink } = colours[typography.colours];
   const rules = [];
   if (font !== "") rules.push(`${textElements} { font-family: ${stackOf(font)} !important; }`);
   if (lineHeight > 0) {
@@ -73,12 +59,23 @@ export function readerStyle(typography: Typography): string {
   ] as const) {
     if (space > 0) rules.push(`${textElements} { ${name}: ${space}em !important; }`);
   }
-  if (typography.colours !== "") {
-    rules.push(
-      `${textElements}, h1, h2, h3, h4, h5, h6 { color: ${ink} !important; background: none !important; }`,
-    );
-  }
   return rules.join("\n");
+}
+
+/** The attribute of what is read aloud, which is seen in any colours. */
+export const spokenAttribute = "data-turnleaf-spoken";
+
+/**
+ * Returns the style sheet above all others where the reader chose colours. Pictures keep theirs; on dark
+ * paper those that are clear in part lie on white, as they are drawn for it.
+ */
+export function colourStyle({ ink, isDark }: PageColours): string {
+  const pictures = "img, svg, video, canvas, object";
+  return `
+:is(html, html *):not(svg *) { color: ${ink} !important; background: none !important; border-color: currentColor !important; text-shadow: none !important; }
+hr { background: currentColor !important; }
+[${spokenAttribute}], [${spokenAttribute}] * { color: #000 !important; background-color: #ffe27a !important; }
+${isDark ? `:is(${pictures}):not(svg *) { color: #000 !important; background: #fff !important; }` : ""}`;
 }
 
 /** The body of a section that is set into pages. */

@@ -1,0 +1,53 @@
+/** The cover of an EPUB of flowing text: the first chapter, if it is a picture, or the picture that its package names. */
+
+import { readMarkup } from "../markup/read_markup.ts";
+import { lonePicture } from "../typeset/lone_picture.ts";
+import type { Chapter } from "./chapter.ts";
+import type { EpubFiles } from "./epub_files.ts";
+
+/** Characters of a chapter that may be a cover's page: some lines, and a drawing. */
+const mostMarkup = 100_000;
+
+/** Characters of text beside a picture that only names it, as "Cover". */
+const mostCaption = 80;
+
+/** A book's cover. */
+export interface EpubCover {
+  /** What its picture is read from. */
+  readonly chapter: Chapter;
+  /** Whether it is in place of the first chapter, and not before it. */
+  readonly isFirst: boolean;
+}
+
+/**
+ * Returns the cover of a book; null if it has none.
+ *
+ * @param first the first chapter, if it can be read
+ * @param named the picture that the package names as the cover, if the archive has it
+ * @param size returns how long a file is, bytes
+ */
+export async function coverOf(
+  first: Chapter | null,
+  named: Chapter | null,
+  files: EpubFiles,
+  size: (path: string) => number,
+): Promise<EpubCover | null> {
+  if (first && /^image\//.test(first.mediaType)) return { chapter: first, isFirst: true };
+  if (first && size(first.href) <= mostMarkup) {
+    const { document } = await readMarkup(await files.text(first.href), "application/xhtml+xml");
+    const body = document.querySelector("body");
+    if (body && lonePicture(body)) return { chapter: first, isFirst: true };
+    const isCaptioned = (body?.textContent ?? "").trim().length <= mostCaption;
+    const pictures = [...(body?.querySelectorAll("img, image") ?? [])];
+    const [address = ""] = pictures.map(
+      (picture) =>
+        picture.getAttribute("src") ??
+        picture.getAttributeNS("http://www.w3.org/1999/xlink", "href") ??
+        picture.getAttribute("href") ??
+        "",
+    );
+    const isNamed = named !== null && files.resolve(address, first.href) === named.href;
+    if (isNamed && isCaptioned && pictures.length === 1) return { chapter: named, isFirst: true };
+  }
+  return named ? { chapter: named, isFirst: false } : null;
+}
