@@ -37,7 +37,7 @@ const usual = [
 const apart = [
   part("another model of turning, live", 197, "leaf_models lying_sheet loose_leaf"),
   part("recorded turns", 20, "replay sheet_turn shell_turn"),
-  part("opens a book of any format", 11, "open"),
+  part("opens a book of any format", 12, "open"),
   part("photographs of a turn", 9, "photographs images image_header"),
   part("folded pages, leaves torn out", 227, "creasable_book folds line_folds tearing torn_pages"),
   part("pages that are elements, live in the air", 1, "live_drawings"),
@@ -48,10 +48,10 @@ const apart = [
   part("reads PDF", 1650, "pdf pdf.*.min.mjs cmaps jbig2.wasm openjpeg.wasm Foxit*.pfb"),
   part(
     "reads other formats",
-    221,
-    "budget clean_markup comic data_url epub fb2 font_type html_pages iiif_source kindle media_overlays names package_document parse_markup svg text_book unpacked_archive unpacker unpacker_worker.ts writing_direction xml_text zip",
+    223,
+    "budget clean_markup comic data_url epub fb2 font_type html_pages iiif_source kindle media_overlays names package_document packed_file parse_markup svg text_book unpacked_archive unpacker unpacker_worker.ts writing_direction xml_text zip",
   ),
-  part("decodes TIFF and JPEG 2000", 60, "rare_images rare_size decoder_worker.ts"),
+  part("decodes TIFF and JPEG 2000", 60, "rare_images rare_size tiff_pages decoder_worker.ts"),
   part("cuts strips into pages", 2, "strips"),
   // Loaded for a book whose XML is not well-formed.
   part("repairs XML", 29, "repaired_xml"),

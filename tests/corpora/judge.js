@@ -13,17 +13,6 @@ const drawnPages = 40;
 /** The least difference of two colours that is ink on paper, of 255. */
 const inkContrast = 24;
 
-/** Resolves once the number of pages of a source is known. */
-async function counted(source) {
-  if (!source.watchPages) return;
-  await new Promise((resolve) =>
-    source.watchPages((change) => {
-      change();
-      resolve();
-    }),
-  );
-}
-
 /** Returns the pages that are drawn of so many. */
 function drawnOf(count) {
   const some = Array.from({ length: drawnPages }, (_, k) => Math.floor((k * count) / drawnPages));
@@ -214,7 +203,7 @@ export async function judge(address, fileName, base, log) {
   }
   result.milliseconds.first = Math.round(performance.now() - begin);
   log("counting");
-  await counted(source);
+  await source.settle?.();
   const { pageCount } = source;
   result.pages = pageCount;
   const found = { letters: [], blank: [], outline: [] };

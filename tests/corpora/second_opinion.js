@@ -9,7 +9,6 @@ const patience = 10_000;
 /** The difference of a colour within a picture, of 255, that is the noise of its compression, and the width at which it is seen. */
 const [blankNoise, seenWidth] = [8, 500];
 
-const opf = "http://www.idpf.org/2007/opf";
 const ncx = "http://www.daisy.org/z3986/2005/ncx/";
 const ops = "http://www.idpf.org/2007/ops";
 

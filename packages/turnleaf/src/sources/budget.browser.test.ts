@@ -1,4 +1,4 @@
-import { expect, test } from "vitest";
+import { expect, test, vi } from "vitest";
 import { checkBudget, checkSvg } from "./budget.ts";
 import { prose } from "./epub/tiny_epub.ts";
 
@@ -70,4 +70,29 @@ test("a chain of references that is longer than the stack is rejected in a sente
   await expect(checkSvg(svg(chain), "It")).rejects.toThrow(
     "It takes more time or memory than a page may: its elements stand for too many others; make it simpler.",
   );
+});
+
+/** Returns an address of data that a style sheet names as a font, after blanks. */
+const asFont = (base64: string, blanks = 0): string =>
+  `@font-face { font-family: x; src: url("data:font/ttf;base64,${" ".repeat(blanks)}${base64}") }`;
+
+test("a font is not unpacked to be counted, but for its first bytes", async () => {
+  const unpack = vi.spyOn(globalThis, "atob");
+  await check("<p>A</p>", asFont("AAEAAAAA".repeat(100_000)));
+  expect(Math.max(...unpack.mock.calls.map(([letters]) => letters.length), 0)).toBeLessThan(5000);
+  unpack.mockRestore();
+});
+
+test("a picture that calls itself a font is counted, whatever stands before it", async () => {
+  // Its header claims 30,000 x 30,000 pixels.
+  const huge = Uint8Array.from(atob(png.split(",")[1] as string), (one) => one.charCodeAt(0));
+  new DataView(huge.buffer).setUint32(16, 30_000);
+  new DataView(huge.buffer).setUint32(20, 30_000);
+  const base64 = btoa(String.fromCharCode(...huge, ...new Uint8Array(6000)));
+  for (const blanks of [0, 6000]) {
+    const css = asFont(base64, blanks)
+      .replace("src", "background-image")
+      .replace("@font-face", "p");
+    await expect(check("<p>A</p>", css)).rejects.toThrow("its pictures have too many pixels");
+  }
 });

@@ -7,7 +7,7 @@
 import { claimedSize } from "./image_header.ts";
 import { limits } from "./limits.ts";
 import { carriedName, withCarriedShorthands } from "./markup/carried_shorthands.ts";
-import { dataPicture } from "./markup/data_address.ts";
+import { dataPicture, isNoPicture } from "./markup/data_address.ts";
 import { errorIn, parseMarkup } from "./markup/parse_markup.ts";
 import { BookError } from "./page_source.ts";
 import { pixelsAttribute, styleAttribute } from "./typeset/flow_book.ts";
@@ -348,6 +348,8 @@ class Count {
   async #costOf(address: string, isPicture: boolean): Promise<PictureCost> {
     // One of no data is none.
     if (address.endsWith(",")) return noPicture;
+    // A font is not unpacked once more for each chapter.
+    if (!isPicture && (await isNoPicture(address))) return noPicture;
     const image = await dataPicture(address);
     if (image === null) {
       if (isPicture) this.#reject("it has a picture of an unknown kind");

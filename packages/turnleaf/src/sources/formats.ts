@@ -7,14 +7,13 @@
 import type { Archive } from "./archive/archive.ts";
 import { type BookFile, bytesOf, fileIn, type WholeFile } from "./book_file.ts";
 import { isEpub } from "./epub/epub_names.ts";
-import { sizeFromHeader, typedImage } from "./image_header.ts";
 import { limits } from "./limits.ts";
 import { loadPart } from "./load_part.ts";
 import { type ImageBook, type ImagePage, parseManifest } from "./manifest.ts";
 import { isRecord } from "./manifest_checks.ts";
 import { BookError, type PageSource, type Typography } from "./page_source.ts";
 import type { PdfOptions } from "./pdf.ts";
-import { type Kind, rareImageType, sniff } from "./sniff.ts";
+import { type Kind, rareImageType, sniff, sniffLength } from "./sniff.ts";
 
 /** The settings that a format may need. */
 export interface FormatOptions extends PdfOptions {
@@ -34,8 +33,10 @@ const formats: Readonly<Partial<Record<Kind, Open>>> = {
   },
   image: async (file, { signal }) => {
     const { blob } = await file.whole(limits.imageBytes, signal);
-    const pages = await pagesOfImage(file, blob);
-    const { name } = file;
+    const { name, from } = file;
+    const found = await pagesOfImage(blob);
+    const isFetched = found.length === 1 && typeof from === "string";
+    const pages = isFetched ? [{ src: { name, read: async () => blob } }] : found;
     return await openImages({
       ...{ name, title: name, language: "", direction: "ltr", kind: "scan", pages, file: blob },
     });
@@ -81,17 +82,15 @@ const formats: Readonly<Partial<Record<Kind, Open>>> = {
   },
 };
 
-/** Returns the pages of an image: of a TIFF there may be several. */
-async function pagesOfImage(file: BookFile, image: Blob): Promise<readonly ImagePage[]> {
-  const { name, from, start } = file;
+/** Returns the pages of an image: of a TIFF there may be several. Rejects if it cannot be read. */
+export async function pagesOfImage(image: Blob): Promise<readonly ImagePage[]> {
+  const start = new Uint8Array(await image.slice(0, sniffLength).arrayBuffer());
   if (rareImageType(start) === "image/tiff") {
     const { pagesOfTiff } = await loadPart(import("./rare_images/tiff_pages.ts"));
     const pages = await pagesOfTiff(image);
     if (pages.length > 1) return pages.map(({ image, size }) => ({ src: image, size }));
   }
-  if (from instanceof Blob) return [{ src: image }];
-  const size = await sizeFromHeader(await typedImage(image));
-  return [{ src: { name, read: async () => image }, ...(size ? { size } : {}) }];
+  return [{ src: image }];
 }
 
 /** Opens a book that is packed by itself, as the tar of a comic may be. */

@@ -1,8 +1,7 @@
 import { fileAt, fileIn } from "./book_file.ts";
 import { cleanText, nameOfUrl } from "./book_text.ts";
-import { openFile, openImages, prepareFor } from "./formats.ts";
+import { openFile, openImages, pagesOfImage, prepareFor } from "./formats.ts";
 import { handedOut } from "./handed_out.ts";
-import { typedImage } from "./image_header.ts";
 import { type Bytes, blobOf, elementsOf, filesOf, wrongKind } from "./input_values.ts";
 import { loadPart } from "./load_part.ts";
 import { type Manifest, type ManifestPage, parseManifest } from "./manifest.ts";
@@ -71,13 +70,9 @@ async function withPagesOfTiffs(list: readonly unknown[]): Promise<unknown[]> {
   const found: unknown[] = [];
   for (const page of list) {
     const image = blobOf(page);
-    const typed = image && (await typedImage(image).catch(() => null));
-    if (typed?.type !== "image/tiff") found.push(page);
-    else {
-      const { pagesOfTiff } = await loadPart(import("./rare_images/tiff_pages.ts"));
-      const pages = (await pagesOfTiff(typed)).map((one) => one.image);
-      found.push(...(pages.length > 1 ? pages : [page]));
-    }
+    const pages = image ? await pagesOfImage(image).catch(() => []) : [];
+    // What cannot be read says so on its page.
+    found.push(...(pages.length > 1 ? pages.map(({ src }) => src) : [page]));
   }
   return found;
 }

@@ -79,13 +79,19 @@ export async function withStrips(book: ImageBook): Promise<ImageBook> {
   };
 }
 
-/** Returns the sizes of images that are known, or that the headers of those at hand say. */
+/** Returns the sizes of images that are known, or that the headers of those at hand say, and of one alone. */
 async function sizesOf(pages: readonly ImagePage[]): Promise<(PageSize | null)[]> {
   const sizes: (PageSize | null)[] = [];
   const waiting = pages.entries();
   const work = async (): Promise<void> => {
     for (const [k, { src, size }] of waiting) {
-      sizes[k] = size ?? (src instanceof Blob ? await headerSize(src) : null);
+      const stored = pages.length === 1 && typeof src !== "string" && !(src instanceof Blob);
+      const image = stored
+        ? await src.read()
+        : src instanceof Blob
+          ? src.slice(0, headerLength)
+          : null;
+      sizes[k] = size ?? (image && (await headerSize(image)));
     }
   };
   await Promise.all(Array.from({ length: atOnce }, work));
@@ -93,7 +99,7 @@ async function sizesOf(pages: readonly ImagePage[]): Promise<(PageSize | null)[]
 }
 
 async function headerSize(image: Blob): Promise<PageSize | null> {
-  return await typedImage(image.slice(0, headerLength))
+  return await typedImage(image)
     .then(sizeFromHeader)
     .catch(() => null);
 }

@@ -190,6 +190,60 @@ test.each([
   await expectDrawnAsLaid(source);
 });
 
+/** Words of as many columns, each as wide as it is, and rows of numbers beneath. */
+const wideTable = (columns: number, rows: number): string =>
+  `<table><caption>Figures</caption><tr>${Array.from({ length: columns }, (_, k) => `<th>Measurement${k}</th>`).join("")}</tr>${Array.from({ length: rows }, (_, row) => `<tr>${Array.from({ length: columns }, (_, k) => `<td>${row}x${k}</td>`).join("")}</tr>`).join("")}</table>`;
+
+test.each([
+  ["in text", `<p>before</p>${wideTable(9, 6)}<p>after</p>`, [false, true, false]],
+  ["in a box", `<p>before</p><div>${wideTable(9, 6)}</div><p>after</p>`, [false, true, false]],
+  ["alone in its chapter", wideTable(9, 6), [true]],
+  ["after another", `${wideTable(9, 6)}${wideTable(9, 6)}`, [true, true]],
+  ["that scaled down would fit", `<p>before</p>${wideTable(5, 3)}<p>after</p>`, [false]],
+])(
+  "a table that is too wide even at its smallest is turned onto a page of its own: %s",
+  async (_, body, turned) => {
+    const source = await laidOutEpub({ chapters: [body], css: "td, th { padding: 0 3px }" });
+    const pages = await pagesOf(source);
+    const meant = new DOMParser().parseFromString(body, "text/html").body.textContent ?? "";
+    expect(letters(pages.join("")).length).toBe(letters(meant).length);
+    const isTurned = async (index: number): Promise<boolean> => {
+      const runs = ((await source.text?.(index, never)) ?? []).filter(({ text }) =>
+        /^Meas/.test(text),
+      );
+      return runs.length > 0 && runs.every(({ vertical }) => vertical);
+    };
+    expect(await Promise.all(pages.map((__, index) => isTurned(index)))).toEqual(turned);
+    // Its words are whole.
+    if (turned.includes(true)) expect(pages.join(" ")).toContain("Measurement8");
+    await expectDrawnAsLaid(source);
+  },
+);
+
+test("a table that has no room turned either has its words broken, and loses none", async () => {
+  const body = `<p>before</p>${wideTable(9, 60)}<p>after</p>`;
+  const source = await laidOutEpub({ chapters: [body] });
+  const meant = new DOMParser().parseFromString(body, "text/html").body.textContent ?? "";
+  expect(letters((await pagesOf(source)).join("")).length).toBe(letters(meant).length);
+  await expectDrawnAsLaid(source);
+});
+
+test("a small box of vertical lines among horizontal ones has its lines whole", async () => {
+  const source = await laidOutEpub({
+    chapters: [
+      '<p>before all of them</p><div style="writing-mode: vertical-rl; height: 200px">first line<br/>second</div><p>after</p>',
+    ],
+  });
+  const runs = (await source.text?.(0, never)) ?? [];
+  expect(runs.map(({ text, vertical = false }) => [text.trim(), vertical])).toEqual([
+    ["before all of them", false],
+    ["first line", true],
+    ["second", true],
+    ["after", false],
+  ]);
+  await expectDrawnAsLaid(source);
+});
+
 test.each([
   ["transform: scale(300)", ""],
   ["transform: scale(300) !important", "p { transform: none !important }"],

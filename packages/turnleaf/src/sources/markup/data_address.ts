@@ -3,7 +3,7 @@
 import { claimedSize, typedImage } from "../image_header.ts";
 import { limits } from "../limits.ts";
 import { pictureData } from "../showable_image.ts";
-import { unshownFormat } from "../sniff.ts";
+import { sniffLength, unshownFormat } from "../sniff.ts";
 
 /** Bytes in which a picture's size is searched for. */
 const headLength = 1 << 20;
@@ -22,6 +22,15 @@ export async function checkedData(address: string): Promise<string | null> {
   if (image === null || !knownKind.test(image.type)) return null;
   const size = await claimedSize(image);
   return size && size.width * size.height > limits.imagePixels ? null : address;
+}
+
+/** Bytes that say whether data is a picture, in letters of base64: twice as many, as each is less than a byte. */
+const shown = 2 * sniffLength;
+const plainBase64 = new RegExp(`^data:[^,]*;base64,[A-Za-z0-9+/]{${shown}}`, "i");
+
+/** Returns whether data is no picture by its first bytes: false where more of it would have to be read to tell. */
+export async function isNoPicture(address: string): Promise<boolean> {
+  return plainBase64.test(address) && (await dataPicture(address, shown)) === null;
 }
 
 /**
@@ -67,12 +76,19 @@ function fromBase64(data: string, most: number): Uint8Array<ArrayBuffer> {
   const letters = decodeURIComponent(data.slice(0, 2 * most)).replace(/\s+/g, "");
   // Whole groups of four letters.
   const head = atob(letters.length > most ? letters.slice(0, most & ~3) : letters);
-  return Uint8Array.from(head, (letter) => letter.charCodeAt(0));
+  return bytesOf(head);
 }
 
 function fromEscapes(data: string, most: number): Uint8Array<ArrayBuffer> {
   const bytes = data
     .slice(0, most)
     .replace(/%([0-9a-f]{2})/gi, (_, digits) => String.fromCharCode(Number.parseInt(digits, 16)));
-  return Uint8Array.from(bytes, (letter) => letter.charCodeAt(0));
+  return bytesOf(bytes);
+}
+
+/** Returns the bytes of which each is a letter. Fonts of megabytes are: without an iterator, which takes ten times as long. */
+function bytesOf(letters: string): Uint8Array<ArrayBuffer> {
+  const bytes = new Uint8Array(letters.length);
+  for (let k = 0; k < letters.length; k++) bytes[k] = letters.charCodeAt(k);
+  return bytes;
 }

@@ -1,7 +1,7 @@
 /**
  * Boxes that are larger than the type area. A browser scrolls what does not fit; a page cannot, and what
  * lies beyond it is lost. So boxes that do not break from page to page are made to, and lines, tables and
- * boxes that are too wide are made narrower.
+ * boxes that are too wide are made narrower, or, if tables, turned onto pages of their own.
  */
 
 import type { PageSize } from "../page_source.ts";
@@ -9,8 +9,11 @@ import type { PageSize } from "../page_source.ts";
 /** Rounds of measuring and changing: a box that is opened shows those within it, at most so deep. */
 const rounds = 8;
 
-/** The smallest size of a table that is too wide, over its own; narrower still, its words are broken. */
+/** The smallest size of a table that is too wide, over its own; narrower still, it is turned, or its words are broken. */
 const smallestTable = 0.6;
+
+/** From one size of a turned table that is tried to the next. */
+const sizeStep = 0.1;
 
 /** What is not quite a pixel too large is as large as it should be: the browser rounds lengths. */
 const tolerance = 1;
@@ -70,7 +73,7 @@ export function fitBoxes(body: Element, area: PageSize, writingMode: string): vo
         box,
         {
           ...opened(style, writingMode),
-          ...(isNarrowed ? narrowed(box, style, line, isVertical) : {}),
+          ...(isNarrowed ? narrowed(box, style, { line, page, isVertical }) : {}),
         },
       ]);
       done = box;
@@ -139,17 +142,19 @@ function opened(style: CSSStyleDeclaration, writingMode: string): Styles {
   return change;
 }
 
+/** The type area as lines lie in it: how long they are, and how much there is across them. */
+interface TypeArea {
+  readonly line: number;
+  readonly page: number;
+  readonly isVertical: boolean;
+}
+
 /** Returns the styles by which a box is no wider than a line. */
-function narrowed(
-  element: HTMLElement,
-  style: CSSStyleDeclaration,
-  line: number,
-  isVertical: boolean,
-): Styles {
+function narrowed(element: HTMLElement, style: CSSStyleDeclaration, area: TypeArea): Styles {
   const { display, whiteSpace } = style;
   if (tableParts.test(display)) return {};
   if (display === "table" || display === "inline-table") {
-    return fittedTable(element, line, isVertical);
+    return fittedTable(element, area);
   }
   const change: Record<string, string> = { "max-inline-size": "100%", "min-inline-size": "0" };
   if (whiteSpace === "pre") change["white-space"] = "pre-wrap";
@@ -159,8 +164,9 @@ function narrowed(
   return change;
 }
 
-/** Returns the styles of a table that is as wide as a line: smaller, and else with broken words. */
-function fittedTable(table: HTMLElement, line: number, isVertical: boolean): Styles {
+/** Returns the styles of a table that is as wide as a line: smaller, or turned, and else with broken words. */
+function fittedTable(table: HTMLElement, area: TypeArea): Styles {
+  const { line, isVertical } = area;
   const cells = [...table.querySelectorAll<HTMLElement>("th, td, th *, td *, col")];
   const setAll = (name: string, value: string): void => {
     for (const cell of cells) cell.style.setProperty(name, value, "important");
@@ -170,8 +176,49 @@ function fittedTable(table: HTMLElement, line: number, isVertical: boolean): Sty
   table.style.setProperty("inline-size", "min-content", "important");
   const least = widthOf([...table.getClientRects()], isVertical);
   const size = Math.max(Math.min(line / least, 1), smallestTable);
-  // By an element's own style sheet words are broken where a line has no room, not to make it narrower.
-  if (least * size > line) setAll("overflow-wrap", "anywhere");
+  if (least * size > line) {
+    const turned = turnedTable(table, least, area);
+    if (turned) return turned;
+    // By an element's own style sheet words are broken where a line has no room, not to make it narrower.
+    setAll("overflow-wrap", "anywhere");
+  }
   const change = { "inline-size": "auto", "max-inline-size": "100%" };
-  return size < 1 ? { ...change, zoom: String(Math.floor(size * 1000) / 1000) } : change;
+  return size < 1 ? { ...change, zoom: zoomOf(size) } : change;
+}
+
+const zoomOf = (size: number): string => String(Math.floor(size * 1000) / 1000);
+
+/**
+ * Returns the styles by which a table that is too wide lies sideways on a page of its own, as large as it
+ * can; null if it has no room there either.
+ *
+ * @param least its width where its columns are as narrow as their words
+ */
+function turnedTable(table: HTMLElement, least: number, area: TypeArea): Styles | null {
+  const { line, page, isVertical } = area;
+  // A roll has no pages, and lines that stand upright are not turned.
+  if (isVertical || !Number.isFinite(page)) return null;
+  const largest = Math.min(page / least, 1);
+  const own = table.style.cssText;
+  for (let size = largest; size >= smallestTable; size -= sizeStep) {
+    const styles = {
+      "writing-mode": "vertical-rl",
+      "text-orientation": "sideways",
+      "inline-size": `${Math.floor(page / size)}px`,
+      "max-inline-size": "none",
+      "block-size": "auto",
+      "break-before": "column",
+      "break-after": "column",
+      "break-inside": "avoid",
+      margin: "0",
+      zoom: zoomOf(size),
+    };
+    for (const [name, value] of Object.entries(styles)) {
+      table.style.setProperty(name, value, "important");
+    }
+    const { width, height } = table.getBoundingClientRect();
+    table.style.cssText = own;
+    if (width <= line + tolerance && height <= page + tolerance) return styles;
+  }
+  return null;
 }

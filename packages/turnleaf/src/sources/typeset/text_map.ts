@@ -166,7 +166,7 @@ export class TextMap {
   /** Splits a piece's part on a page where a line ends. */
   #linesOf(piece: Piece, page: number): Line[] {
     const { node } = piece;
-    const { isVertical } = this.#flow;
+    const isVertical = isVerticalIn(node);
     if (!isText(node)) return this.#formulaOf(node, page);
     const lines: Line[] = [];
     const from = page === piece.first ? 0 : this.#firstOn(node, page);
@@ -188,7 +188,7 @@ export class TextMap {
         const box = this.#onPage(rect, page);
         if (line === null || !continues(line, box, isVertical)) {
           if (line !== null && isWithinWord(text, k)) endInWord(line);
-          line = { text: "", box, boxes: [] };
+          line = { text: "", box, boxes: [], isVertical };
           lines.push(line);
         }
         line.text += letters;
@@ -206,7 +206,7 @@ export class TextMap {
     const box = this.#onPage(this.#range.getBoundingClientRect(), page);
     const text = cleanRun(math.getAttribute(formulaAttribute) ?? math.textContent ?? "");
     if (text === "") return [];
-    return [{ text, box, boxes: [], math: xmlOf(math) }];
+    return [{ text, box, boxes: [], isVertical: isVerticalIn(math), math: xmlOf(math) }];
   }
 
   #onPage(rect: DOMRect, page: number): PageBox {
@@ -215,10 +215,13 @@ export class TextMap {
     return { x: rect.left - page * stepX, y: rect.top - page * stepY, width, height };
   }
 
-  #runOf({ text, box, boxes, math }: Line, next: Line | undefined, exact: boolean): TextRun {
-    const { isVertical } = this.#flow;
-    const end = next === undefined || !continues({ box }, next.box, isVertical);
-    const run = { text, ...box, angle: 0, end, ...(isVertical ? { vertical: true } : {}) };
+  #runOf(
+    { text, box, boxes, isVertical, math }: Line,
+    next: Line | undefined,
+    exact: boolean,
+  ): TextRun {
+    const goesOn = next?.isVertical === isVertical && continues({ box }, next.box, isVertical);
+    const run = { text, ...box, angle: 0, end: !goesOn, ...(isVertical ? { vertical: true } : {}) };
     if (math !== undefined) return { ...run, math };
     if (!exact || isVertical || box.width === 0) return run;
     const places = boxes.map(({ x }) => Math.min((x - box.x) / box.width, 1));
@@ -233,6 +236,8 @@ interface Line {
   text: string;
   box: PageBox;
   readonly boxes: PageBox[];
+  /** Whether they stand beneath each other, or lie so, as in a box that is turned. */
+  readonly isVertical: boolean;
   /** The formula that they are. */
   readonly math?: string;
 }
@@ -250,6 +255,13 @@ function nextLetter(text: string, at: number): number {
   const letter = /\S/g;
   letter.lastIndex = at;
   return letter.exec(text)?.index ?? text.length;
+}
+
+/** Returns whether the lines in which a piece stands go down the page: a box may be set otherwise than its section. */
+function isVerticalIn(node: Piece["node"]): boolean {
+  const parent = node.parentElement as Element;
+  const view = node.ownerDocument.defaultView as Window;
+  return !view.getComputedStyle(parent).writingMode.startsWith("horizontal");
 }
 
 /** Returns whether a box stands on the line of another: more than half beside it. */
