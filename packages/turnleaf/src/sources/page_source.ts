@@ -177,8 +177,9 @@ export interface Typography {
   readonly align: "" | "justify" | "start";
   /** Whether words are divided at the ends of lines; "" for the book's own. */
   readonly hyphens: "" | "auto" | "none";
-  /** Space that is added between letters, and between words, in units of the type's size: 0 to 1. */
+  /** Space that is added between letters, in units of the type's size: 0 to 1. */
   readonly letterSpacing: number;
+  /** Space that is added between words, likewise. */
   readonly wordSpacing: number;
   /** The colours of paper and ink; "" for the book's own. */
   readonly colours: "" | "sepia" | "night";
