@@ -56,6 +56,7 @@ const parts = {
     "metres.ts",
     "engine",
     "sources",
+    "stage",
     "words",
     "leaf_models",
     "viewer",

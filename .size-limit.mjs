@@ -44,15 +44,22 @@ const apart = [
   part("pages that are scrolled", 4, "roll_view"),
   part("sounds and films on a page", 1, "page_media"),
   part("read aloud", 4, "reading"),
-  part("six languages besides English, of which an element loads its own", 14, "texts_*"),
+  part("six languages besides English, of which an element loads its own", 15.5, "texts_*"),
   part("reads PDF", 1650, "pdf pdf.*.min.mjs cmaps jbig2.wasm openjpeg.wasm Foxit*.pfb"),
   part(
     "reads other formats",
-    223,
+    // Alignment, division of words, running heads and folios; tables that are turned, switches.
+    226,
     "budget clean_markup comic data_url epub fb2 font_type html_pages iiif_source kindle media_overlays names package_document packed_file parse_markup svg text_book unpacked_archive unpacker unpacker_worker.ts writing_direction xml_text zip",
   ),
   part("decodes TIFF and JPEG 2000", 60, "rare_images rare_size tiff_pages decoder_worker.ts"),
   part("cuts strips into pages", 2, "strips"),
+  part("typefaces, of which a reader loads the one that is chosen", 582, "legible dyslexic"),
+  part(
+    "divides words of seven languages, of which a book loads its own",
+    158,
+    "hyphen en-us en-gb de-1996 es fr it pt",
+  ),
   // Loaded for a book whose XML is not well-formed.
   part("repairs XML", 29, "repaired_xml"),
   entry("standalone", 158, "standalone_* three.module"),
@@ -80,5 +87,5 @@ export default [
   allBut([...usual, ...apart], "shows and turns a book", 165),
   ...usual,
   ...apart,
-  allBut(apart, "all that a usual book loads", 210),
+  allBut(apart, "all that a usual book loads", 213),
 ];

@@ -76,7 +76,7 @@ export const style: string = /* css */ `
 .segments { flex: 1 1 100%; padding: 2px; margin-bottom: 8px; }
 .segments button { flex: 1 1 auto; min-height: 40px; padding-inline: 6px; border-radius: 8px; font-size: 0.93em; overflow-wrap: anywhere; }
 .segments [aria-checked="true"] { background: var(--turnleaf-surface); color: var(--turnleaf-accent); box-shadow: 0 1px 3px rgb(0 0 0 / 0.22); }
-.faces .segments { display: grid; grid-template-columns: repeat(auto-fit, minmax(88px, 1fr)); gap: 2px; }
+.faces .segments { display: grid; grid-template-columns: repeat(auto-fit, minmax(100px, 1fr)); gap: 2px; }
 .faces button { display: flex; flex-direction: column; align-items: center; justify-content: center; padding: 6px 2px; font-size: 0.8em; }
 .faces b { font-size: 22px; font-weight: normal; line-height: 1.3; }
 .stepper { margin-block: 2px; }

@@ -143,7 +143,8 @@ test("a jump is a step in the history, and leads back until one reads on", async
   const head = await headOf(element);
   const steps = history.length;
   await element.showHit((await element.search("w4c2x3"))[0] ?? null);
-  expect(element.page).toBeGreaterThan(page + 4);
+  const there = element.page;
+  expect(there).toBeGreaterThan(page + 4);
   expect(history.length).toBe(steps + 1);
   expect([back()?.hidden, back()?.textContent]).toEqual([false, `Back to page ${page}`]);
   history.back();
@@ -151,12 +152,12 @@ test("a jump is a step in the history, and leads back until one reads on", async
   expect(await headOf(element)).toBe(head);
   expect(back()?.hidden).toBe(true);
   history.forward();
-  await eventually(() => element.page).toBeGreaterThan(page + 4);
+  await eventually(() => element.page).toBe(there);
   const [hit] = await element.search("w1c0x0");
   await element.showHit(hit ?? null);
   expect(back()?.hidden).toBe(false);
   back()?.click();
-  await eventually(() => element.page).toBeGreaterThan(page + 4);
+  await eventually(() => element.page).toBe(there);
   expect(back()?.hidden).toBe(true);
   await element.showHit(hit ?? null);
   await element.next();
@@ -167,7 +168,8 @@ test("a search finds the same while pages are counted, wherever they are, and it
   const queries = ["w3c1x5", "x59", "w5c3x1 w5c3x2"];
   const placesIn = async (element: TurnleafBook, query: string): Promise<string[]> =>
     (await element.search(query)).map(({ before, text, after }) => before + text + after);
-  const first = await open();
+  // As large as the others: lines are broken by the size of the page.
+  const first = await open({ controls: "" });
   await counted(first);
   const expected = [];
   for (const query of queries) expected.push(await placesIn(first, query));

@@ -177,8 +177,9 @@ export interface Typography {
   readonly align: "" | "justify" | "start";
   /** Whether words are divided at the ends of lines; "" for the book's own. */
   readonly hyphens: "" | "auto" | "none";
-  /** Space that is added between letters, and between words, in units of the type's size: 0 to 1. */
+  /** Space that is added between letters, in units of the type's size: 0 to 1. */
   readonly letterSpacing: number;
+  /** Space that is added between words, likewise. */
   readonly wordSpacing: number;
   /**
    * How wide a page is shown, CSS pixels, for which it is set: 16 px of type are 16 px on the screen.

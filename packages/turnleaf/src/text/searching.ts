@@ -134,7 +134,7 @@ function contextOf(
   for (let run = first.run - 1; run >= 0 && before.length < about; run--) {
     before = joined(runs[run]) + before;
   }
-  let after = last.to < runs[last.run].text.length ? joined(runs[last.run]).slice(last.to) : "";
+  let after = joined(runs[last.run]).slice(last.to);
   for (let run = last.run + 1; run < runs.length && after.length < about; run++) {
     after += joined(runs[run]);
   }

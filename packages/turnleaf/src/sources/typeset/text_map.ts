@@ -187,7 +187,7 @@ export class TextMap {
       if (on === page && letters !== "") {
         const box = this.#onPage(rect, page);
         if (line === null || !continues(line, box, isVertical)) {
-          if (line !== null && isWithinWord(text, k)) endInWord(line);
+          if (line !== null && isWithinWord(text, k) && hasHyphens(node)) endInWord(line);
           line = { text: "", box, boxes: [], isVertical };
           lines.push(line);
         }
@@ -325,6 +325,12 @@ function countOf(text: string): number {
 function isWithinWord(text: string, at: number): boolean {
   const letter = /[\p{Script=Latin}\p{Script=Greek}\p{Script=Cyrillic}]/u;
   return letter.test(text.charAt(at - 1)) && letter.test(text.charAt(at));
+}
+
+/** Returns whether words of a text are divided where lines end; others are only broken there. */
+function hasHyphens({ parentElement, ownerDocument }: Text): boolean {
+  const view = ownerDocument.defaultView as Window;
+  return parentElement !== null && view.getComputedStyle(parentElement).hyphens === "auto";
 }
 
 /** Ends a line with the hyphen that the browser has put there. */
