@@ -25,10 +25,10 @@ const { TURNLEAF_SEED = "1", TURNLEAF_FUZZ = "1" } = process.env;
 const archives = ["**/*.rar", "**/*.7z", "**/*.cb7"];
 
 /**
- * The files of a project run one at a time, beside those of every other project: the projects of a group
- * share its time. Without an order of its own vitest runs files that are one at a time after all others.
+ * The projects of a group run beside each other. Those of Chromium run their files one at a time, each in
+ * its own browser; those of Node share this many processes, so that none of them is alone at the end.
  */
-const beside = { fileParallelism: false, sequence: { groupOrder: 1 } };
+const beside = { maxWorkers: 2, sequence: { groupOrder: 1 } };
 
 /** Files that run in the real Chromium of this machine, started with flags besides those of all. */
 function inChromium(
@@ -88,6 +88,7 @@ function inChromium(
       setupFiles: [`packages/turnleaf/src/for_tests/${setup}`],
       browser: {
         enabled: true,
+        fileParallelism: false,
         headless: true,
         screenshotFailures: false,
         commands: {
@@ -106,8 +107,8 @@ function inChromium(
 }
 
 /**
- * Files that run in Node, one at a time, each in a process of its own unless `sharesProcess`; those of
- * what is built say so if it is stale.
+ * Files that run in Node, each in a process of its own unless `sharesProcess`: then a process runs one
+ * after another. Those of what is built say so if it is stale.
  */
 function inNode(
   name: string,
@@ -149,7 +150,7 @@ export default defineConfig({
       inNode("command", ["packages/cli/{app,tests}/**/*.test.ts"], {
         exclude: [engines],
         isOfBuild: true,
-        // What drives the browsers is loaded once, and they are started once.
+        // What drives the browsers is loaded once in a process, and they are started once.
         sharesProcess: true,
       }),
       inNode("node", [

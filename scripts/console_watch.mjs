@@ -50,6 +50,8 @@ export const consoleCommands = {
    * page and its workers; the first call begins to listen.
    */
   async consoleMessages({ page }) {
+    // What was said before this was asked is heard before the browser responds.
+    await page.evaluate(() => null);
     const before = messages.get(page);
     messages.set(page, []);
     if (before === undefined) {

@@ -102,7 +102,7 @@ async function leave(page: Page): Promise<void> {
   await session.detach();
 }
 
-/** The browsers of all files of tests, which run one after another in this process and end with it. */
+/** The browsers of all files of tests that run, one after another, in this process; they end with it. */
 const browsers = new Map<boolean, Promise<Browser>>();
 
 /** Returns the Chromium that draws or the one that does not, launched when it is first needed. */

@@ -99,9 +99,13 @@ test("nothing is made where nobody asked for sound", async () => {
 
 test("with sound, a context runs while leaves move, is suspended at rest and closed with the book", async () => {
   const element = await soundingBook();
-  await eventually(() => states).toEqual(["running", "suspended"]);
+  await eventually(() => states.at(-1)).toBe("suspended");
+  // As often as leaves have moved since it was made: once, or twice if its code was there for the first turn.
+  const before = [...states];
+  expect([2, 4]).toContain(before.length);
+  expect(before).toEqual(before.map((_, k) => (k % 2 === 0 ? "running" : "suspended")));
   await element.next();
-  await eventually(() => states).toEqual(["running", "suspended", "running", "suspended"]);
+  await eventually(() => states).toEqual([...before, "running", "suspended"]);
   element.remove();
   await eventually(() => states.at(-1)).toBe("closed");
   expect(made.length).toBe(1);

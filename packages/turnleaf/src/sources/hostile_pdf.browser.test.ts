@@ -109,6 +109,18 @@ const broken: Readonly<Record<string, () => Uint8Array<ArrayBuffer>>> = {
 
 /** What was left uncaught in the page; its workers' comes from the browser's driver. */
 let uncaught: unknown[] = [];
+/** Workers that have not ended. */
+const working = new Set<Worker>();
+globalThis.Worker = class extends Worker {
+  constructor(...how: ConstructorParameters<typeof Worker>) {
+    super(...how);
+    working.add(this);
+  }
+  override terminate(): void {
+    working.delete(this);
+    super.terminate();
+  }
+};
 const note = (event: PromiseRejectionEvent): void => void uncaught.push(event.reason);
 
 beforeEach(async () => {
@@ -120,8 +132,11 @@ afterEach(() => removeEventListener("unhandledrejection", note));
 
 /** Fails if anything was left uncaught, or written on the console. */
 async function expectQuiet(): Promise<void> {
-  // Rejections are reported once their task is over, and the workers end by themselves.
-  await clock.pass(3000);
+  await clock.until(() => working.size === 0);
+  // What has a timer: three seconds are more than any.
+  clock.frames(180);
+  // Rejections are reported once their task is over.
+  await clock.task();
   expect([...uncaught, ...(await commands.consoleMessages())]).toEqual([]);
 }
 
@@ -181,16 +196,9 @@ test("aborted while it opens, is drawn or waits for a password", async () => {
 });
 
 test("whose worker ends while it is read", async () => {
-  const workers: Worker[] = [];
-  const { Worker: Real } = globalThis;
-  globalThis.Worker = class extends Real {
-    constructor(...how: ConstructorParameters<typeof Worker>) {
-      super(...how);
-      workers.push(this);
-    }
-  };
   const source = await openSource(tinyPdf(whole));
-  globalThis.Worker = Real;
+  const workers = [...working];
+  expect(workers.length).toBeGreaterThan(0);
   const reading = read(source);
   for (const worker of workers)
     worker.dispatchEvent(new ErrorEvent("error", { message: "It ended." }));

@@ -10,13 +10,23 @@ import {
   UnsignedByteType,
 } from "three";
 
+/** Texels of a grain, four bytes each. */
+interface Texels {
+  readonly data: Uint8Array;
+  readonly width: number;
+  readonly height: number;
+}
+
+/** Texels by what draws them: kept for every book of the page, as drawing them takes a twentieth of a second. */
+const drawn = new Map<() => Texels, Texels>();
+
 /** Grain textures, the same for every book that one stage draws. */
 export class BookGrains {
   /** The edges of the leaves in a pile: x along the edge, y through the pile's thickness. */
-  readonly leafEdges: Texture = leafEdgeTexture();
-  readonly cloth: Texture = clothTexture();
+  readonly leafEdges: Texture = grainTexture(drawLeafEdges);
+  readonly cloth: Texture = grainTexture(drawCloth);
   /** The stripes of a headband, along x. */
-  readonly headband: Texture = headbandTexture();
+  readonly headband: Texture = grainTexture(drawHeadband);
 
   /** @param anisotropy from 1 for none */
   constructor(anisotropy: number) {
@@ -37,7 +47,7 @@ export class BookGrains {
  * that some show at any distance and none beat with the pixels: x along the
  * edge, y through the pile's thickness. Red is brightness, half = as it is.
  */
-function leafEdgeTexture(): Texture {
+function drawLeafEdges(): Texels {
   const [width, height] = [64, 512];
   const random = randomNumbers(7);
   const level = new Float32Array(width * height);
@@ -65,14 +75,14 @@ function leafEdgeTexture(): Texture {
       level[(y + 1) * width + x] -= 0.14;
     }
   }
-  return grainTexture(level, width, height);
+  return texelsOf(level, width, height);
 }
 
 /**
  * Draws book cloth: threads over and under, thick and thin places. Red is
  * brightness, half = as it is.
  */
-function clothTexture(): Texture {
+function drawCloth(): Texels {
   const size = 512;
   const threads = 128;
   const random = randomNumbers(3);
@@ -111,16 +121,24 @@ function clothTexture(): Texture {
         unevenness + 0.2 * (round - 0.64) + 0.09 * thread + 0.1 * (random() - 0.5);
     }
   }
-  return grainTexture(level, size, size);
+  return texelsOf(level, size, size);
 }
 
-function grainTexture(level: Float32Array, width: number, height: number): Texture {
+/** Returns texels of levels from -1 to 1. */
+function texelsOf(level: Float32Array, width: number, height: number): Texels {
   const data = new Uint8Array(4 * width * height);
   for (let k = 0; k < level.length; k++) {
     const value = Math.min(255, Math.max(0, Math.round(127.5 * (1 + level[k]))));
     data[4 * k] = data[4 * k + 1] = data[4 * k + 2] = value;
     data[4 * k + 3] = 255;
   }
+  return { data, width, height };
+}
+
+function grainTexture(draw: () => Texels): Texture {
+  const texels = drawn.get(draw) ?? draw();
+  drawn.set(draw, texels);
+  const { data, width, height } = texels;
   const texture = new DataTexture(data, width, height, RGBAFormat, UnsignedByteType);
   texture.wrapS = texture.wrapT = RepeatWrapping;
   texture.generateMipmaps = true;
@@ -145,10 +163,10 @@ function randomNumbers(seed: number): () => number {
  * Draws a headband's stripes, alternately dark and light along x. Red is
  * brightness, half = as it is.
  */
-function headbandTexture(): Texture {
+function drawHeadband(): Texels {
   const level = Float32Array.from(
     { length: 32 },
     (_, x) => 0.75 * Math.sin((x * Math.PI) / 16) - 0.1,
   );
-  return grainTexture(level, 32, 1);
+  return texelsOf(level, 32, 1);
 }

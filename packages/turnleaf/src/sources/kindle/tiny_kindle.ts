@@ -43,7 +43,7 @@ export function packPalmDoc(bytes: Uint8Array): number[] {
   for (let at = 0; at < bytes.length; ) {
     const byte = bytes[at] ?? 0;
     let [best, distance] = [0, 0];
-    for (let back = 1; back <= Math.min(at, 2047); back++) {
+    for (let back = 1; best < 10 && back <= Math.min(at, 2047); back++) {
       let same = 0;
       while (
         same < 10 &&

@@ -182,7 +182,12 @@ export class TextMap {
         continue;
       }
       const on = pageOfRect(this.#flow, rect);
-      if (on > page && !isBlank(text, k)) break;
+      if (on !== page && isBlank(text, k)) {
+        // There may be a million that hang over.
+        k = blanksEnd(text, next);
+        continue;
+      }
+      if (on > page) break;
       const letters = cleanRun(text.slice(k, next));
       if (on === page && letters !== "") {
         const box = this.#onPage(rect, page);
@@ -262,6 +267,13 @@ function isVerticalIn(node: Piece["node"]): boolean {
   const parent = node.parentElement as Element;
   const view = node.ownerDocument.defaultView as Window;
   return !view.getComputedStyle(parent).writingMode.startsWith("horizontal");
+}
+
+/** Returns where the blanks of a line that go on at `at` end: the next letter or line, or the text's length. */
+function blanksEnd(text: string, at: number): number {
+  const end = /[\S\n]/g;
+  end.lastIndex = at;
+  return end.exec(text)?.index ?? text.length;
 }
 
 /** Returns whether a box stands on the line of another: more than half beside it. */
