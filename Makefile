@@ -223,6 +223,7 @@ examples: build
 # Screenshots of the README and docs, from the real thing.
 pictures: build chromium tools-rust
 	node scripts/pictures.mjs
+	node $(CLI) film books/moby-dick.pdf --pages 18-20 --size 800x500 --fps 24 --seconds-per-turn 1.1 --pause 0.4 --out docs/pictures/turn.webp
 	cargo run --release --quiet -p lab -- picture --preset paper-2014 --out target/pictures
 	cargo run --release --quiet -p lab -- picture --preset book --gesture corner --out target/pictures
 	cp target/pictures/paper-2014-column.png target/pictures/book-corner.png docs/pictures/

@@ -38,7 +38,7 @@ describe("what cannot be filmed ends with one sentence", () => {
     [["a.pdf"], "Say where the film goes: --out book.mp4"],
     [
       ["a.pdf", "--out", "a.avi"],
-      "--out is a file that ends in .mp4, .webm or .gif, or a folder for numbered pictures.",
+      "--out is a file that ends in .mp4, .webm, .gif or .webp, or a folder for numbered pictures.",
     ],
     [["a.pdf", "--out", "a", "--pages", "9-3"], "--pages is a range such as 1-20."],
     [["a.pdf", "--out", "a", "--pages", "0"], "--pages is a range such as 1-20."],

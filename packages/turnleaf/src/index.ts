@@ -43,6 +43,7 @@ export {
   type NewIndex,
   type OutlineEntry,
   type PageBox,
+  type PageColours,
   type PageField,
   type PageLink,
   type PageMedium,

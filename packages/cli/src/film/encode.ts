@@ -8,11 +8,14 @@ import { fileProblem, Problem, printable } from "../problem.ts";
 import type { Frames } from "./frames.ts";
 
 /** The formats of a film. */
-export const filmFormats = ["mp4", "webm", "gif", "png"] as const;
+export const filmFormats = ["mp4", "webm", "gif", "webp", "png"] as const;
 export type FilmFormat = (typeof filmFormats)[number];
 
+/** Those that ffmpeg writes. */
+export type EncodedFormat = Exclude<FilmFormat, "webp" | "png">;
+
 /** Arguments of ffmpeg for each; pictures stay as they are. */
-const codecs: Readonly<Record<Exclude<FilmFormat, "png">, readonly string[]>> = {
+const codecs: Readonly<Record<EncodedFormat, readonly string[]>> = {
   mp4: ["-c:v", "libx264", "-crf", "18", "-pix_fmt", "yuv420p", "-movflags", "+faststart"],
   webm: ["-c:v", "libvpx-vp9", "-crf", "30", "-b:v", "0", "-row-mt", "1", "-pix_fmt", "yuv420p"],
   // One palette for all of the film: 256 colours of its pages.
@@ -32,7 +35,7 @@ export function findFfmpeg(environment: NodeJS.ProcessEnv = process.env): string
   const found = findProgram([environment.FFMPEG ?? "ffmpeg"], environment);
   if (found !== null) return found;
   throw new Problem(
-    "No ffmpeg was found, which writes MP4, WebM and GIF; install ffmpeg, or ask for numbered pictures with --out FOLDER.",
+    "No ffmpeg was found, which writes MP4, WebM and GIF; install ffmpeg, or ask for --out FILM.webp, or for numbered pictures with --out FOLDER.",
   );
 }
 
@@ -45,7 +48,7 @@ export async function encodeFilm(
   ffmpeg: string,
   frames: Frames,
   fps: number,
-  format: Exclude<FilmFormat, "png">,
+  format: EncodedFormat,
   out: string,
   signal: AbortSignal,
 ): Promise<void> {

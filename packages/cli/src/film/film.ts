@@ -9,6 +9,7 @@ import { fileProblem, Problem, printable } from "../problem.ts";
 import { Progress } from "../progress.ts";
 import { type Serving, serve } from "../server.ts";
 import { Warnings } from "../warnings.ts";
+import { encodeWebp } from "./animated_webp.ts";
 import { encodeFilm, findFfmpeg } from "./encode.ts";
 import type { FilmAction } from "./film_actions.ts";
 import type { FilmCommand } from "./film_arguments.ts";
@@ -29,24 +30,26 @@ const longestMotion = 30;
  */
 export async function film(command: FilmCommand, signal: AbortSignal): Promise<void> {
   const { path, out, format, fps, width, height } = command;
-  const ffmpeg = format === "png" ? null : findFfmpeg();
+  const ffmpeg = format === "png" || format === "webp" ? null : findFfmpeg();
   const chromium = findChromium(command.chromium);
   await requireFolder(out);
   const warnings = new Warnings();
   const book = await openBook(path, warnings.add);
   warnings.end();
   const request = await nameOf(command, book);
-  const folder = ffmpeg ? `${out}.frames` : out;
-  const frames = await Frames.open(folder, { request, fps, width, height }, ffmpeg !== null);
+  const isOneFile = format !== "png";
+  const folder = isOneFile ? `${out}.frames` : out;
+  const frames = await Frames.open(folder, { request, fps, width, height }, isOneFile);
   const progress = new Progress();
   try {
     if (!frames.isWhole) await take(command, book, chromium, frames, progress, signal);
     signal.throwIfAborted();
     progress.clear();
-    if (ffmpeg && format !== "png") {
-      await encodeFilm(ffmpeg, frames, fps, format, out, signal);
-      await frames.remove();
+    if (format === "webp") await encodeWebp(chromium, frames, command, out, signal);
+    else if (format !== "png") {
+      await encodeFilm(ffmpeg as string, frames, fps, format, out, signal);
     }
+    if (isOneFile) await frames.remove();
   } catch (error) {
     progress.clear();
     if (!signal.aborted) throw error;

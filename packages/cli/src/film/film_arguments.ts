@@ -33,11 +33,11 @@ export interface FilmCommand {
 }
 
 export const filmHelp = `turnleaf film BOOK --out FILE films a book as its pages turn: headless, frame by
-frame, so that no frame is ever dropped. Needs Chromium, and ffmpeg for all but
-numbered pictures. Stopped, the same command goes on where it was.
+frame, so that no frame is ever dropped. Needs Chromium, and ffmpeg for MP4, WebM
+and GIF. Stopped, the same command goes on where it was.
 
-  --out FILE             book.mp4, book.webm or book.gif; or a folder, which gets
-                         numbered PNG pictures
+  --out FILE             book.mp4, book.webm, book.gif or book.webp, an animated
+                         picture; or a folder, which gets numbered PNG pictures
   --pages A-B            from the spread of page A to that of page B (all); with
                          --do the page at which the film begins
   --do "ACTION, …"       what is done in place of turning from page to page, one
@@ -113,7 +113,7 @@ function formatOf(out: string): FilmFormat {
   const format = filmFormats.find((format) => format === ending && format !== "png");
   if (format) return format;
   throw new UsageProblem(
-    "--out is a file that ends in .mp4, .webm or .gif, or a folder for numbered pictures.",
+    "--out is a file that ends in .mp4, .webm, .gif or .webp, or a folder for numbered pictures.",
   );
 }
 

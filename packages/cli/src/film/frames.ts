@@ -5,7 +5,16 @@
 
 import { createHash } from "node:crypto";
 import { constants } from "node:fs";
-import { access, copyFile, mkdir, readdir, rename, rm, writeFile } from "node:fs/promises";
+import {
+  access,
+  copyFile,
+  mkdir,
+  readdir,
+  readFile,
+  rename,
+  rm,
+  writeFile,
+} from "node:fs/promises";
 import { join } from "node:path";
 import { fileProblem, Problem, printable } from "../problem.ts";
 import { readRegular } from "../regular_file.ts";
@@ -111,6 +120,13 @@ export class Frames {
       () => true,
       () => false,
     );
+  }
+
+  /** Returns picture `number` (from 0), a PNG. */
+  async read(number: number): Promise<Buffer> {
+    return await readFile(this.#file(number)).catch((error: unknown) => {
+      throw fileProblem(this.folder, error);
+    });
   }
 
   /** Writes a picture, completely or not at all. */

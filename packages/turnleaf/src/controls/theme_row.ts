@@ -8,13 +8,9 @@ import type { Wording } from "./wording.ts";
 const themes = ["auto", ...pageThemes] as const;
 const darkPages = ["invert", "dim"] as const;
 
-/**
- * Two rows of buttons, each one of several: by themselves radio buttons, in a menu items of it.
- *
- * @csspart themes The choice of a theme, in the menu and beside the choices of type.
- */
+/** Two rows of buttons, each one of several: by themselves radio buttons, in a menu items of it. */
 export class ThemeRow {
-  readonly element: HTMLElement = make("div", { class: "themes", part: "themes" });
+  readonly element: HTMLElement = make("div", { class: "themes" });
   readonly #book: ControlledBook;
   readonly #refreshers: (() => void)[] = [];
 

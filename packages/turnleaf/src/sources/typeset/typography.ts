@@ -70,12 +70,14 @@ export const spokenAttribute = "data-turnleaf-spoken";
  * paper those that are clear in part lie on white, as they are drawn for it.
  */
 export function colourStyle({ ink, isDark }: PageColours): string {
-  const pictures = "img, svg, video, canvas, object";
+  // The page is drawn within an SVG: drawings of the book's own are within its <html>.
+  const inDrawing = "html svg *";
+  const pictures = "html :is(img, svg, video, canvas, object)";
   return `
-:is(html, html *):not(svg *) { color: ${ink} !important; background: none !important; border-color: currentColor !important; text-shadow: none !important; }
+:is(html, html *):not(${inDrawing}) { color: ${ink} !important; background: none !important; border-color: currentColor !important; text-shadow: none !important; }
 hr { background: currentColor !important; }
 [${spokenAttribute}], [${spokenAttribute}] * { color: #000 !important; background-color: #ffe27a !important; }
-${isDark ? `:is(${pictures}):not(svg *) { color: #000 !important; background: #fff !important; }` : ""}`;
+${isDark ? `${pictures}:not(${inDrawing}) { color: #000 !important; background: #fff !important; }` : ""}`;
 }
 
 /** The body of a section that is set into pages. */
