@@ -28,9 +28,7 @@ impl Flights {
     pub fn step(&mut self, gutter: &Gutter, piles: [&Pile; 2]) {
         self.wake();
         self.part_overdue();
-        let flying = self.order.len();
         for flight in &mut self.order {
-            flight.leaf_mut().set_flying(flying);
             flight.leaf_mut().bend_over(piles);
             flight.leaf_mut().bend_into_gutter(gutter);
         }
