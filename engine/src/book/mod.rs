@@ -337,6 +337,15 @@ impl Book {
         }
     }
 
+    /// Lets `seconds` pass in which nothing moves and no one steps the book: creases of leaves that lie
+    /// under others creep toward where they are pressed. Seconds that are not finite, or below 0, pass
+    /// none.
+    pub fn wait(&mut self, seconds: f64) {
+        if seconds.is_finite() && seconds > 0.0 {
+            self.flights.wait(seconds);
+        }
+    }
+
     /// Begins a frame: what [`step_frame`](Self::step_frame) may step is counted from here on.
     pub fn begin_frame(&mut self) {
         self.stepping = 0;

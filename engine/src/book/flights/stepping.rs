@@ -26,6 +26,7 @@ impl Flights {
     /// Steps every flight by one tick between the piles (right and left), and
     /// lets those at rest join their piles.
     pub fn step(&mut self, gutter: &Gutter, piles: [&Pile; 2]) {
+        self.creased.pass(f64::from(TICK));
         self.wake();
         self.part_overdue();
         for flight in &mut self.order {
