@@ -490,7 +490,7 @@ mod tests {
             (corners, [-165.0, -150.0]),
         ];
         for (lines, degrees) in folds {
-            let mut sheet = Sheet::new(Paper::default().sheet(page, 1)).expect("a leaf's sheet");
+            let mut sheet = Sheet::new(Paper::default().sheet(page)).expect("a leaf's sheet");
             let creases = [0, 1].map(|k| {
                 FoldLine::pressed(lines[k], f64::to_radians(degrees[k]), &Stock::BOOK, page[0])
             });

@@ -87,7 +87,7 @@ pub fn mid_turn(columns: usize, rows: usize) -> Sheet {
 /// Never: a book's leaf can be creased so.
 #[cfg(feature = "creases")]
 pub fn creased(creases: usize) -> Sheet {
-    let settings = crate::book::Paper::default().sheet(PAGE, 1);
+    let settings = crate::book::Paper::default().sheet(PAGE);
     let mut sheet = Sheet::new(settings).expect("a book's paper makes a sheet");
     let line = |through, rest| FoldLine {
         through,

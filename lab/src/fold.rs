@@ -91,7 +91,7 @@ pub fn run(options: &Options) -> Result<Lines<Folded>, String> {
             Fold::DogEar => Root::Clamped,
             Fold::Letter | Fold::Map => Root::Free,
         },
-        ..Paper::default().sheet(PAGE, 1)
+        ..Paper::default().sheet(PAGE)
     };
     let stock = settings.stock;
     let (yields, creep) = match options.creep {

@@ -16,6 +16,8 @@ const MOST_KEPT: usize = 4;
 struct CreasedLeaf {
     leaf: u32,
     creases: Vec<FoldLine>,
+    /// When it was creased or covered last, seconds as the book's time.
+    since: f64,
 }
 
 /// The creased leaves of a book.
@@ -25,6 +27,8 @@ pub struct CreasedLeaves {
     leaves: Vec<CreasedLeaf>,
     /// Leaves that were creased and drawn, from the one that was covered first.
     kept: Vec<(u32, Flight)>,
+    /// Seconds that have passed.
+    time: f64,
 }
 
 impl CreasedLeaves {
@@ -45,6 +49,7 @@ impl CreasedLeaves {
             let made = CreasedLeaf {
                 leaf,
                 creases: creases.to_vec(),
+                since: self.time,
             };
             let at = self.index(leaf).unwrap_or_else(|at| at);
             self.leaves.insert(at, made);
@@ -55,6 +60,17 @@ impl CreasedLeaves {
     pub fn of(&self, leaf: u32) -> Option<&[FoldLine]> {
         let at = self.index(leaf).ok()?;
         Some(&self.leaves[at].creases)
+    }
+
+    /// Lets seconds pass.
+    pub fn pass(&mut self, seconds: f64) {
+        self.time += seconds;
+    }
+
+    /// Seconds for which a creased leaf has lain under others; 0 of one that is not creased.
+    pub fn covered_for(&self, leaf: u32) -> f64 {
+        self.index(leaf)
+            .map_or(0.0, |at| self.time - self.leaves[at].since)
     }
 
     /// Whether a leaf is creased along the same lines, so that another can be.
@@ -73,6 +89,7 @@ impl CreasedLeaves {
             return Some(flight);
         };
         self.leaves[at].creases = flight.leaf().creases();
+        self.leaves[at].since = self.time;
         self.kept.push((leaf, flight));
         if self.kept.len() > MOST_KEPT {
             self.kept.remove(0);

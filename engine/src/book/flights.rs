@@ -92,7 +92,7 @@ impl Pattern {
             stock: self.kind_of(leaf).0,
             ..self.paper
         };
-        Sheet::new(paper.sheet([width, height], 1))
+        Sheet::new(paper.sheet([width, height]))
             .is_ok_and(|mut sheet| sheet.crease(creases).is_ok())
     }
 

@@ -123,7 +123,7 @@ impl FoldOut {
         let nodes = [panels.columns(), NODES[1]];
         let settings = SheetSettings {
             root: Root::Hinged(line.stiffness),
-            ..paper.sheet_of(nodes, [width * page_width, height], 1)
+            ..paper.sheet_of(nodes, [width * page_width, height])
         };
         let beside = 2.0 * Rigidity::of(&settings.stock, settings.grain).d11 / settings.cell()[0];
         let hand = hand_for(&settings, &line, panels.count);

@@ -93,6 +93,33 @@ fn a_dog_ear_turned_over_and_back_ten_times_keeps_its_rest_and_lies_off_its_leaf
     }
 }
 
+/// Held shut, 20 degrees off its rest and 8.65 below its yield, for seconds t, it creeps by
+/// c ln(1 + t exp(-8.65 / c)), with c 6 degrees over ln 10.
+#[test]
+fn a_dog_ear_under_other_leaves_creeps_shut_with_the_logarithm_of_time() {
+    for (seconds, degrees) in [(60.0f64, 3.01), (3600.0, 12.72), (1e5, 20.0)] {
+        for on_recto in [true, false] {
+            let mut book = book(on_recto);
+            let rest = |book: &Book| book.creases(5)[0].rest.to_degrees().abs();
+            book.step(200);
+            assert!(book.is_asleep());
+            book.wait(seconds);
+            assert!((rest(&book) - 160.0).abs() < 0.1, "nothing lies upon it");
+            turn(&mut book, Side::Left);
+            // A part passes before the leaf upon it is taken up, and the rest before that moves.
+            book.wait(0.75 * seconds);
+            let id = book.pick_up(Side::Right, 4, 5).unwrap();
+            book.wait(0.25 * seconds);
+            book.play(id, Side::Left, 0.8);
+            while book.flights() > 0 {
+                book.step(1);
+            }
+            let crept = rest(&book) - 160.0;
+            assert!((crept - degrees).abs() < 0.5, "{crept} in {seconds} s");
+        }
+    }
+}
+
 /// A tick in which nothing moves is no work, whatever the one before it was.
 #[test]
 fn a_book_at_rest_takes_no_work() {

@@ -27,7 +27,7 @@ use super::paper::Paper;
 use super::phase::Phase;
 use super::pile::Pile;
 use crate::grid::Side;
-use crate::models::sheet::{CAN_CREASE, FoldLine, Sheet, SheetSettings};
+use crate::models::sheet::{CAN_CREASE, FoldLine, Sheet};
 use crate::stock::Stock;
 use crate::surface::Surface;
 use crate::turn::TurnModel;
@@ -47,8 +47,7 @@ const SEARCH: u32 = 40_000;
 /// One leaf of paper between two piles.
 pub struct Leaf {
     sheet: Sheet,
-    /// How many leaves are in the air, and its sheet's steps in a tick then.
-    flying: usize,
+    /// Its sheet's steps in a tick.
     steps: u32,
     /// Part of the way to the leaf's direction that the clamp goes in a step.
     clamp_follows: f32,
@@ -124,7 +123,7 @@ impl Leaf {
         straightness: f32,
         (u, rows): (&[f32], usize),
     ) -> Leaf {
-        let settings = paper.sheet([width, height], 1);
+        let settings = paper.sheet([width, height]);
         let cell = [
             width as f32 / (NODES[0] - 1) as f32,
             height as f32 / (NODES[1] - 1) as f32,
@@ -136,11 +135,11 @@ impl Leaf {
         let v: Vec<f32> = (0..rows).map(|j| j as f32 / (rows - 1) as f32).collect();
         sheet.draw_samples(u, &v);
         let flat = sheet.positions().to_vec();
-        let mut leaf = Leaf {
+        let steps = paper.steps(width);
+        Leaf {
             sheet,
-            flying: 1,
-            steps: 0,
-            clamp_follows: 0.0,
+            steps,
+            clamp_follows: 1.0 - libm::powf(CLAMP_STAYS, 1.0 / steps as f32),
             paper: *paper,
             straightness,
             gutter: (straightness > 0.0).then(|| Gutter::new(NODES[0], u)),
@@ -174,29 +173,7 @@ impl Leaf {
             kept_depth: 0.0,
             searches: 0,
             flat,
-        };
-        leaf.set_steps(paper.steps(width, 1));
-        leaf
-    }
-
-    /// Says how many leaves are in the air, which its steps depend on.
-    pub fn set_flying(&mut self, flying: usize) {
-        if flying == self.flying {
-            return;
         }
-        self.flying = flying;
-        let [width, height] = [self.sheet.settings().width, self.sheet.settings().height];
-        let settings = self.paper.sheet([width, height], flying);
-        let pace = |of: &SheetSettings| (of.time_step, of.shear_sweeps);
-        if pace(&settings) != pace(self.sheet.settings()) {
-            self.set_steps(self.paper.steps(width, flying));
-            self.sheet.pace(&settings);
-        }
-    }
-
-    fn set_steps(&mut self, steps: u32) {
-        self.steps = steps;
-        self.clamp_follows = 1.0 - libm::powf(CLAMP_STAYS, 1.0 / steps as f32);
     }
 
     /// Creases the leaf along lines in place of those that it has, where it is. Returns

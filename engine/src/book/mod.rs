@@ -337,18 +337,28 @@ impl Book {
         }
     }
 
+    /// Lets `seconds` pass in which nothing moves and no one steps the book: creases of leaves that lie
+    /// under others creep toward where they are pressed. Seconds that are not finite, or below 0, pass
+    /// none.
+    pub fn wait(&mut self, seconds: f64) {
+        if seconds.is_finite() && seconds > 0.0 {
+            self.flights.wait(seconds);
+        }
+    }
+
     /// Begins a frame: what [`step_frame`](Self::step_frame) may step is counted from here on.
     pub fn begin_frame(&mut self) {
         self.stepping = 0;
     }
 
-    /// Steps all flights as [`step`](Self::step) does, by at most `ticks`, and by fewer where
-    /// those of the frame have taken as much work as a frame may have: where many leaves
-    /// meet, they move slower instead of each frame taking longer than the one before.
+    /// Steps all flights as [`step`](Self::step) does, by at most `ticks`, and by fewer where one
+    /// more, as much work as the last, would come to more in the frame than it may have: where many
+    /// leaves meet, they move slower instead of each frame taking longer than the one before.
     /// Returns by how many.
     pub fn step_frame(&mut self, ticks: u32) -> u32 {
         for done in 0..ticks {
-            if self.stepping >= MOST_STEPPING {
+            let with_next = self.stepping.saturating_add(self.tick_work());
+            if self.stepping > 0 && with_next > MOST_STEPPING {
                 return done;
             }
             if self.flights.is_still() {

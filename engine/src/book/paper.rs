@@ -7,11 +7,9 @@ use crate::models::sheet::{Root, SheetSettings};
 use crate::rigidity::Rigidity;
 use crate::stock::{Grain, SOFTEST, STIFFEST as STIFFEST_STOCK, Stock};
 
-/// Leaves that fly at once in short steps, at most, so that they move as the shell does;
-/// where there are more each has one step in a tick, and ten fit into a frame.
-pub(super) const FEW: usize = 3;
-
-/// Steps in a tick of one of a few leaves, and of one of stiff paper that is alone.
+/// Steps in a tick of a leaf, and of one of stiff paper. They are the same however many leaves are in
+/// the air: with one, which is what ten cost in a frame that three with two do, leaves were two to four
+/// times as far from the shell, and a board was too stiff for single precision and was not moved at all.
 const STEPS: u32 = 2;
 const STEPS_STIFF: u32 = 3;
 
@@ -19,20 +17,10 @@ const STEPS_STIFF: u32 = 3;
 /// corner snaps within a few steps.
 const STIFF: f64 = 0.12;
 
-/// Sweeps of a step after which the shear of one of a few leaves, and of one of many, yields
-/// to lengths: with twice as many three of card, and ten, cost half as much again and more.
-const SHEAR_SWEEPS_OF_FEW: usize = 20;
-const SHEAR_SWEEPS_OF_MANY: usize = 6;
-
-/// Stiffness in its plane of one of a few leaves, in units of a node's mass over the
-/// square of a step, and the greatest, N/m: a stiffer card snaps farther from where the
-/// shell does.
+/// Stiffness of a leaf in its plane, in units of a node's mass over the square of a step, and the
+/// greatest, N/m: a stiffer card snaps farther from where the shell does.
 const STIFFNESS: f64 = 2e4;
 const STIFFEST: f64 = 4.4e4;
-
-/// Stiffness in its plane of one of many leaves, N/m: with their longer steps stiffer
-/// ones crossed in a riffle of twelve, and were drawn as much as 0.13 m behind.
-const STIFFNESS_OF_MANY: f64 = 2000.0;
 
 /// Stiffness of the binding against turning, N: weak against the paper of a
 /// cell, so that the leaf leaves the gutter without a crease and turns freely.
@@ -74,10 +62,9 @@ impl Default for Paper {
 }
 
 impl Paper {
-    /// The settings of a leaf of it in a book, `width` x `height` metres, while `flying`
-    /// leaves are in the air.
-    pub fn sheet(&self, size: [f64; 2], flying: usize) -> SheetSettings {
-        self.sheet_of(NODES, size, flying)
+    /// The settings of a leaf of it in a book, `width` x `height` metres.
+    pub fn sheet(&self, size: [f64; 2]) -> SheetSettings {
+        self.sheet_of(NODES, size)
     }
 
     /// As [`sheet`](Self::sheet), of so many columns and rows of nodes.
@@ -85,9 +72,8 @@ impl Paper {
         &self,
         [columns, rows]: [usize; 2],
         [width, height]: [f64; 2],
-        flying: usize,
     ) -> SheetSettings {
-        let steps = self.steps(width, flying);
+        let steps = self.steps(width);
         // Against a narrow leaf, which weighs less, the binding is as weak as against the usual one.
         let narrowness = f64::from(self.slowness(width)).powi(4).min(1.0);
         let sheet = SheetSettings::leaf(width, height, self.model_stock());
@@ -96,16 +82,10 @@ impl Paper {
         let [area, square] = [width * height, self.scale * self.scale];
         let strength = |area: f64| strongest(self.stock.grammage, area);
         let grab_strength = strength(area * square) / (square * self.scale * strength(area));
-        let (shear_sweeps, stiffest) = match flying {
-            _ if flying > FEW => (SHEAR_SWEEPS_OF_MANY, STIFFNESS_OF_MANY),
-            2.. => (SHEAR_SWEEPS_OF_FEW, STIFFEST),
-            _ => (sheet.shear_sweeps, STIFFEST),
-        };
         let settings = SheetSettings {
             columns,
             rows,
             time_step: f64::from(TICK) / f64::from(steps),
-            shear_sweeps,
             grain: self.grain,
             gravity: sheet.gravity.map(|g| g / self.scale),
             grab_strength,
@@ -120,7 +100,7 @@ impl Paper {
         };
         settings
             .bearable(f64::from(TICK))
-            .stiffened(STIFFNESS, stiffest)
+            .stiffened(STIFFNESS, STIFFEST)
     }
 
     /// The stock of which a leaf in book space, on which everything acts so many times as little as
@@ -141,15 +121,14 @@ impl Paper {
         slowness(width * self.scale)
     }
 
-    /// Steps in a tick of a leaf of it, `width` metres wide, while so many are in the air.
-    pub(super) fn steps(&self, width: f64, flying: usize) -> u32 {
+    /// Steps in a tick of a leaf of it, `width` metres wide.
+    pub(super) fn steps(&self, width: f64) -> u32 {
         let rate = Rigidity::of(&self.stock, self.grain)
             .first_frequency(self.stock.grammage, width * self.scale);
-        match flying {
-            _ if flying > FEW => 1,
-            2.. => STEPS,
-            _ if rate * f64::from(TICK) > STIFF => STEPS_STIFF,
-            _ => STEPS,
+        if rate * f64::from(TICK) > STIFF {
+            STEPS_STIFF
+        } else {
+            STEPS
         }
     }
 

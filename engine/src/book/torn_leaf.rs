@@ -148,7 +148,7 @@ impl TornLeaf {
     pub fn blank(book: &Book, around: TableAround) -> Option<TornLeaf> {
         let settings = SheetSettings {
             root: Root::Free,
-            ..book.paper().sheet(book.size(), 1)
+            ..book.paper().sheet(book.size())
         };
         let sheet = around.is_sound().then(|| Sheet::new(settings).ok())??;
         Some(TornLeaf::of(sheet, around))

@@ -9,7 +9,7 @@ use turnleaf_engine::{SheetSettings, Stock};
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, ValueEnum)]
 #[serde(rename_all = "lowercase")]
 pub enum Settings {
-    /// Those of a leaf of a viewer's book, of which few are in the air.
+    /// Those of a leaf of a viewer's book.
     #[default]
     Book,
     /// Those of a sheet on its own.
@@ -33,7 +33,7 @@ impl Settings {
                     stock,
                     ..Paper::default()
                 };
-                paper.sheet(size, 1)
+                paper.sheet(size)
             }
             Self::Lab => SheetSettings::leaf(size[0], size[1], stock),
         }

@@ -143,6 +143,16 @@ impl Flights {
         }
     }
 
+    /// Lets seconds pass in which nothing moves. Creases that are pressed shut creep meanwhile.
+    pub fn wait(&mut self, seconds: f64) {
+        if CAN_CREASE {
+            self.creased.pass(seconds);
+            for flight in &mut self.order {
+                flight.leaf_mut().stay_pressed(seconds);
+            }
+        }
+    }
+
     /// Draws the creased leaf that lies uppermost in the pile of a side by itself, if there is one:
     /// pressed flat between the piles (right and left), as it lay in there. The next steps open its
     /// folds to where they rest. Returns whether there is.
@@ -159,6 +169,7 @@ impl Flights {
             return false;
         };
         let creases = creases.to_vec();
+        let covered_for = self.creased.covered_for(leaf);
         let mut flight = self.creased.take(leaf).unwrap_or_else(|| {
             let mut made = self.take_spare(self.pattern.kind_of(leaf));
             made.crease(&creases);
@@ -167,6 +178,7 @@ impl Flights {
         flight.take_up(LYING, side, leaf, leaf + 1);
         let laid = flight.leaf_mut();
         laid.lay_pressed(side);
+        laid.stay_pressed(covered_for);
         laid.wake();
         // It is drawn before it is stepped.
         laid.bend_over(piles);

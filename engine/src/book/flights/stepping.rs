@@ -26,11 +26,10 @@ impl Flights {
     /// Steps every flight by one tick between the piles (right and left), and
     /// lets those at rest join their piles.
     pub fn step(&mut self, gutter: &Gutter, piles: [&Pile; 2]) {
+        self.creased.pass(f64::from(TICK));
         self.wake();
         self.part_overdue();
-        let flying = self.order.len();
         for flight in &mut self.order {
-            flight.leaf_mut().set_flying(flying);
             flight.leaf_mut().bend_over(piles);
             flight.leaf_mut().bend_into_gutter(gutter);
         }

@@ -1,5 +1,7 @@
 //! How creases open that were pressed shut under other leaves.
 
+use crate::models::sheet::FoldLine;
+
 /// Ticks in which creases open that were pressed shut: half a second, as they are folded in by hand.
 /// Paper that was pressed recovers in time; let go at once, a letter would leap.
 const OPENING: u32 = 60;
@@ -22,6 +24,21 @@ impl Opening {
     /// Begins with creases that were pressed to angles, and will rest at others.
     pub fn new(from: Vec<f32>, to: Vec<f32>) -> Opening {
         Opening { from, to, ticks: 0 }
+    }
+
+    /// Has creases along these lines that have not begun to open creep toward where they are pressed
+    /// to, for so many seconds.
+    pub fn creep(&mut self, lines: &[FoldLine], seconds: f64) {
+        if self.ticks > 0 {
+            return;
+        }
+        for ((line, pressed), to) in lines.iter().zip(&self.from).zip(&mut self.to) {
+            let made = FoldLine {
+                rest: f64::from(*to),
+                ..*line
+            };
+            *to = made.held_at(f64::from(*pressed), seconds).rest as f32;
+        }
     }
 
     /// Goes on by a tick. Returns the angle at which each crease rests then; None once all are open.

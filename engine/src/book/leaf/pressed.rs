@@ -23,6 +23,15 @@ impl Leaf {
         self.opening = Some(Opening::new(from, to));
     }
 
+    /// Has its creases creep toward where they are pressed to, for so many seconds, where they have not
+    /// begun to open.
+    pub fn stay_pressed(&mut self, seconds: f64) {
+        let lines = self.sheet.creases();
+        if let (true, Some(opening)) = (CAN_CREASE, &mut self.opening) {
+            opening.creep(&lines, seconds);
+        }
+    }
+
     /// Puts the nodes where they are in the leaf pressed flat on a side. Returns the angle at which
     /// each crease then is, radians.
     fn press_flat(&mut self, side: Side) -> Vec<f32> {

@@ -29,7 +29,7 @@ fn dog_ear(size: f64, rest: f64) -> FoldLine {
 fn leaf() -> SheetSettings {
     SheetSettings {
         root: Root::Clamped,
-        ..crate::book::Paper::default().sheet(PAGE, 1)
+        ..crate::book::Paper::default().sheet(PAGE)
     }
 }
 
@@ -295,7 +295,7 @@ fn hang_creased_strips(one_in: usize) {
             root: Root::Clamped,
             rows: 4,
             gravity: [0.0; 3],
-            ..paper.sheet([PAGE[0], PAGE[0] / 3.0], 1)
+            ..paper.sheet([PAGE[0], PAGE[0] / 3.0])
         };
         let mut sheet = Sheet::new(settings).unwrap();
         let crease = FoldLine {
@@ -339,7 +339,7 @@ fn any_creases_stay_finite_and_whole_under_any_hand() {
             stock,
             ..Default::default()
         };
-        let mut sheet = Sheet::new(paper.sheet(PAGE, 1)).unwrap();
+        let mut sheet = Sheet::new(paper.sheet(PAGE)).unwrap();
         let creases: Vec<FoldLine> = (0..1 + random.below(3))
             .map(|_| FoldLine {
                 rest: f64::from(random.between(-3.0, 3.0)),

@@ -252,18 +252,6 @@ impl Sheet {
         });
     }
 
-    /// Goes on from where it is with the length of step, the stiffness in its plane and
-    /// the sweeps of `settings`; all else stays as it is.
-    pub(crate) fn pace(&mut self, settings: &SheetSettings) {
-        self.settings.time_step = settings.time_step;
-        (self.settings.stretch, self.settings.shear) = (settings.stretch, settings.shear);
-        self.settings.shear_sweeps = settings.shear_sweeps;
-        self.sweep.shear_sweeps = settings.shear_sweeps;
-        self.h = settings.time_step as f32;
-        self.membrane = Membrane::new(&self.settings, &self.material);
-        self.prepare();
-    }
-
     /// Advances by a step, the first of `count` in which its grabs shall go the way
     /// to where they pull.
     pub(crate) fn step_of(&mut self, count: u32) {

@@ -48,8 +48,6 @@ pub struct SheetSettings {
     pub stretch: f64,
     /// Stiffness against shear, N/m.
     pub shear: f64,
-    /// Sweeps of a step after which the shear of cells yields to the lengths of edges.
-    pub shear_sweeps: usize,
     /// Which lines are kept parallel (the paper's synchronisation), as a
     /// projection after each step.
     pub synchronise: Synchronise,
@@ -101,7 +99,6 @@ impl SheetSettings {
             time_step: 1.0 / 180.0,
             stretch: 8000.0,
             shear: 3200.0,
-            shear_sweeps: 40,
             synchronise: Synchronise::Off,
         }
     }

@@ -30,9 +30,11 @@ pub(super) const TOLERANCE: f32 = 2e-4;
 const MOST_SHEAR: f32 = 3e-3;
 const MORE_SHEAR: f32 = 1e-3;
 
-/// Shear of a cell, radians, that sweeps go on to take back when less of it yields to
-/// lengths, and how many do. What violent grabs and gusts leave a leaf that has few
-/// [`shear_sweeps`](SheetSettings::shear_sweeps) was 27 degrees.
+/// Sweeps after which so little shear yields to the lengths of edges.
+const SHEAR_SWEEPS: usize = 40;
+
+/// Shear of a cell, radians, that sweeps go on to take back then, and how many do. What violent
+/// grabs and gusts left after six sweeps was 27 degrees.
 const GROSS_SHEAR: f32 = 0.1;
 const GROSS_SWEEPS: usize = 60;
 
@@ -92,7 +94,6 @@ pub(super) struct Sweep {
     /// Nodes that are kept apart, and where they are among the nodes here.
     pub apart: Apart,
     apart_at: Vec<[usize; 2]>,
-    pub shear_sweeps: usize,
     /// One over a node's area, relative to an inner node's; 0 where it is held.
     mobility: Vec<f32>,
     /// Firm contacts that nodes are in or near: node, contact.
@@ -129,7 +130,6 @@ impl Sweep {
             slack: Vec::new(),
             apart: Apart::default(),
             apart_at: Vec::new(),
-            shear_sweeps: settings.shear_sweeps,
             mobility: of_node(0.0),
             firm: Vec::with_capacity(count),
             nodes,
@@ -233,7 +233,7 @@ impl Sweep {
             0.0
         };
         let allowed = match round {
-            _ if round < self.shear_sweeps => Some(MOST_SHEAR),
+            _ if round < SHEAR_SWEEPS => Some(MOST_SHEAR),
             _ if round < GROSS_SWEEPS => Some(GROSS_SHEAR),
             _ => None,
         };

@@ -25,7 +25,7 @@ fn a_hanging_page_hangs_as_it_should() {
 /// Limp and light, in air and with nothing else to slow it.
 #[test]
 fn a_limp_page_settles() {
-    for (gamma, flying) in [(100.0, 1), (100.0, 9), (20.0, 1), (20.0, 9)] {
+    for gamma in [100.0, 20.0] {
         let hanging = hanging(10, 14, gamma);
         let paper = crate::book::Paper {
             stock: hanging.settings().stock,
@@ -33,7 +33,7 @@ fn a_limp_page_settles() {
         };
         let mut sheet = Sheet::new(SheetSettings {
             root: Root::Clamped,
-            ..paper.sheet(PAGE, flying)
+            ..paper.sheet(PAGE)
         })
         .unwrap();
         let mut fastest = |seconds: f32| {
@@ -50,7 +50,7 @@ fn a_limp_page_settles() {
         // Drag in proportion to the square of the speed: it falls as one over time.
         assert!(
             late < 2e-3 || late < 0.5 * early && early < 0.1 * first,
-            "Gamma {gamma}, {flying} leaves: {first}, {early}, {late} m/s"
+            "Gamma {gamma}: {first}, {early}, {late} m/s"
         );
     }
 }

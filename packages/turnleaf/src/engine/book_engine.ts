@@ -43,6 +43,8 @@ export interface CreasedLeaves {
    * Nothing happens unless the leaf is in flight or lies uppermost.
    */
   press(leaf: number, crease: number, rest: number): void;
+  /** Lets seconds pass in which nothing moved: creases of leaves under others creep. */
+  wait(seconds: number): void;
   /**
    * Returns whether a creased leaf lies uppermost on a side. Uncovered, it lies pressed flat, and
    * steps open its folds to where they rest, also while no leaf is in flight.

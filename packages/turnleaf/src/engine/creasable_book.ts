@@ -26,6 +26,7 @@ interface CreasingExports extends TearingExports, FlapExports {
   tl_creases(): number;
   tl_book_crease(book: number, leaf: number, count: number): number;
   tl_book_press(book: number, leaf: number, crease: number, rest: number): void;
+  tl_book_wait(book: number, seconds: number): void;
   tl_book_lies_creased(book: number, side: Side): number;
   tl_book_places(book: number, index: number): number;
   tl_book_corners(book: number, index: number): number;
@@ -64,6 +65,7 @@ export class CreasableBook extends WasmBook {
       press: (leaf, crease, rest) => {
         if (areFinite([rest])) wasm.tl_book_press(book, whole(leaf, mostLeaves), crease, rest);
       },
+      wait: (seconds) => wasm.tl_book_wait(book, seconds),
       lies: (side) => wasm.tl_book_lies_creased(book, side) !== 0,
     };
   }

@@ -199,3 +199,13 @@ test("where nothing helps, as on a screen that is held to 30 frames, nothing is 
   move(governor, 60, ({ pixels }) => 33.3 + 60 * (pixels - 0.5));
   expect(governor.quality.pixels).toBeLessThan(1);
 });
+
+test("the time between two movements is told once, at the first frame of the second", () => {
+  const ticks = new TickCounter(tick);
+  expect(ticks.rested(500)).toBe(0);
+  ticks.count(1000);
+  ticks.count(1050);
+  expect(ticks.rested(1050)).toBe(0);
+  ticks.stop();
+  expect([ticks.rested(61_050), ticks.rested(61_100)]).toEqual([60, 0]);
+});

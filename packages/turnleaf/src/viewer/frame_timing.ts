@@ -70,6 +70,7 @@ export function stepSheets(
 export class TickCounter {
   readonly #tick: number;
   #lastTime: number | null = null;
+  #stoppedAt: number | null = null;
   #remainder = 0;
   #slack = mostSlack;
 
@@ -98,8 +99,21 @@ export class TickCounter {
     return ticks;
   }
 
+  /**
+   * Returns the seconds since the last movement ended, if this is the first frame of another; else 0.
+   *
+   * @param now time of the animation frame in milliseconds
+   */
+  rested(now: number): number {
+    if (this.#stoppedAt === null) return 0;
+    const seconds = (now - this.#stoppedAt) / 1000;
+    this.#stoppedAt = null;
+    return Math.max(seconds, 0);
+  }
+
   /** Ends the movement: the next frame is the first of another. */
   stop(): void {
+    this.#stoppedAt = this.#lastTime;
     this.#lastTime = null;
     this.#remainder = 0;
     this.#slack = mostSlack;

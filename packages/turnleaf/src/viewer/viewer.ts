@@ -561,6 +561,8 @@ export class Viewer {
     }
     this.#waitsSince = Number.NEGATIVE_INFINITY;
     const { ticks, engine } = this.#bound;
+    const rested = ticks.rested(now);
+    if (rested > 0) engine.creases?.wait(rested);
     const passed = ticks.count(now);
     const seconds = passed * engine.tick;
     const isPressed = this.sheets.stepFolds(seconds);
