@@ -263,8 +263,9 @@ export class ReflectingElement extends Base {
   }
 
   /**
-   * Whether words of flowing text are divided at the ends of lines (`auto`) or not (`none`), in
-   * languages that the browser can divide; the default is as the book has it.
+   * Whether words of flowing text are divided at the ends of lines (`auto`), in languages that the
+   * browser divides, and in English, German, French, Spanish, Italian and Portuguese, or not (`none`);
+   * the default is as the book has it.
    *
    * @attribute hyphens
    * @default ""

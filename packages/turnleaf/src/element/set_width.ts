@@ -3,7 +3,7 @@
 import { layoutFor } from "../book/layout.ts";
 import type { CoverKind, Layout } from "../book/spreads.ts";
 import type { Typography } from "../sources/page_source.ts";
-import { mayFace, paperback } from "../sources/typeset/page_measures.ts";
+import { isMiniature, mayFace, paperback } from "../sources/typeset/page_measures.ts";
 import { pageWidthIn } from "../stage/page_width.ts";
 import type { BindingOptions } from "../viewer/bound_book.ts";
 
@@ -75,6 +75,8 @@ export class SetWidth {
 
   #suits(): boolean {
     const shown = this.#shown();
-    return shown === 0 || Math.abs(shown / this.width - 1) <= step;
+    // Miniatures are set alike, however small they are.
+    if (shown === 0 || (isMiniature(shown) && isMiniature(this.width))) return true;
+    return Math.abs(shown / this.width - 1) <= step;
   }
 }

@@ -33,12 +33,17 @@ export interface PageMeasures extends PageSize {
   readonly ends: number;
 }
 
+/** Returns whether a page that is shown in some width, CSS pixels, is set as a paperback: also if that is 0, as it is unknown. */
+export function isMiniature(shown: number): boolean {
+  return shown < miniature;
+}
+
 /**
  * Returns the measures of a page as it is laid out. Larger type is a smaller page that is shown as
  * large: so everything in it grows alike, whatever units the book uses.
  */
 export function measuresOf({ size, margins, width: shown }: Typography): PageMeasures {
-  const width = Math.round((shown < miniature ? paperback.width : shown) / size);
+  const width = Math.round((isMiniature(shown) ? paperback.width : shown) / size);
   const height = Math.round((width * paperback.height) / paperback.width);
   const scaled = (part: number): number => Math.round(part * margins * width);
   return { width, height, sides: scaled(usualMargin.sides), ends: scaled(usualMargin.ends) };
@@ -57,5 +62,5 @@ export function mayFace(
 ): boolean {
   const line = width * (1 - 2 * usualMargin.sides * margins);
   const letter = (usualType.letter + 16 * letterSpacing) * size;
-  return line >= leastLetters * letter || alone < miniature;
+  return line >= leastLetters * letter || isMiniature(alone);
 }
