@@ -285,16 +285,19 @@ async function readEpub(archive: Archive, file: Blob, name: string): Promise<Flo
   };
 }
 
-/** Returns chapters with a chapter for each page of those that are TIFFs of several pages, at most `limits.pages`. */
+/**
+ * Returns chapters with a chapter for each page of those that are TIFFs of several pages, at most `limits.pages`.
+ * Where one is to lie is where its first page does.
+ */
 async function withPagesOfPictures<T extends Pick<ManifestItem, "href" | "mediaType">>(
-  chapters: readonly T[],
+  chapters: readonly (T & Side)[],
   files: EpubFiles,
-): Promise<(T & { readonly page?: number })[]> {
-  const found: (T & { readonly page?: number })[] = [];
+): Promise<(T & Side & { readonly page: number })[]> {
+  const found: (T & Side & { readonly page: number })[] = [];
   for (const chapter of chapters) {
     const count = pagedType.test(chapter.mediaType) ? await files.pagesOf(chapter.href) : 1;
     for (let page = 0; page < count && found.length < limits.pages; page++) {
-      found.push({ ...chapter, page });
+      found.push({ ...chapter, page, side: page === 0 ? chapter.side : undefined });
     }
   }
   return found;
@@ -312,6 +315,11 @@ function pictureNamed(
       readableTypes.test(mediaType) && /^image\//.test(mediaType) && names.has(href),
   );
   return picture ? { ...picture, isFixed: true } : null;
+}
+
+/** Where a chapter has to lie, as `FlowSection` says it. */
+interface Side {
+  readonly side: FlowSection["side"] | undefined;
 }
 
 /** The path of a container, and one that names a package. */
