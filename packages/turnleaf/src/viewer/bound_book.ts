@@ -27,7 +27,7 @@ import type { PageSize, PageSource } from "../sources/page_source.ts";
 import type { BookPose, BookShape } from "../stage/book_pose.ts";
 import type { BookStage } from "../stage/book_stage.ts";
 import { caseSizes } from "../stage/case_sizes.ts";
-import type { PageTheme } from "../stage/themes.ts";
+import type { PageTheme } from "../themes.ts";
 import { CornerPeek } from "./corner_peek.ts";
 import { Drags } from "./drag.ts";
 import { FaceTextures } from "./face_textures.ts";
