@@ -24,6 +24,16 @@ export function lonePicture(root: Element): HTMLElement | SVGElement | null {
     (element) => element.parentElement?.closest("svg, object, video, audio") == null,
   );
   if (!picture || others.length > 0 || !/^(img|svg)$/.test(picture.localName)) return null;
+  // What is styled may be seen too, by its background or border.
+  const isPlain = (element: Element): boolean =>
+    element.contains(picture) ||
+    picture.contains(element) ||
+    !(
+      element.hasAttribute("class") ||
+      element.hasAttribute(styleAttribute) ||
+      element.hasAttribute("style")
+    );
+  if (![...body.querySelectorAll("*")].every(isPlain)) return null;
   const text = (body.textContent ?? "").trim();
   // A drawing's own text is a part of it.
   const own = (picture.textContent ?? "").trim();
