@@ -68,7 +68,8 @@ export class Markup {
       .join("");
     const sized = `display: block; width: ${width}px; height: ${height}px`;
     const [whole, paper, view, section] = [
-      `${sized}; font-size: ${rem}`,
+      // A theme of high contrast colours controls, and not what is printed.
+      `${sized}; font-size: ${rem}; forced-color-adjust: none`,
       `${sized}; fill: ${colours?.paper ?? this.#paper}`,
       `${sized}; position: relative; overflow: hidden`,
       `${sized}; position: absolute; left: 0; top: 0; font-size: 16px; transform: translate(${x}px, ${y}px)`,
