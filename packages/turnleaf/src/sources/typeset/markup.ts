@@ -53,7 +53,8 @@ export class Markup {
     const markup = xmlOf(html);
     // Gone through once, however many pictures there are.
     this.#parts = markup.split(pictureData).map((part) => pictures.get(part) ?? part);
-    this.#styles = styleElements(style.styles);
+    // A theme of high contrast colours controls, and not what is printed.
+    this.#styles = styleElements([...style.styles, "* { forced-color-adjust: none !important; }"]);
     this.#paper = paperOf(html, view) ?? "#fff";
   }
 
@@ -68,9 +69,8 @@ export class Markup {
       .join("");
     const sized = `display: block; width: ${width}px; height: ${height}px`;
     const [whole, paper, view, section] = [
-      // A theme of high contrast colours controls, and not what is printed.
-      `${sized}; font-size: ${rem}; forced-color-adjust: none`,
-      `${sized}; fill: ${colours?.paper ?? this.#paper}`,
+      `${sized}; font-size: ${rem}`,
+      `${sized}; fill: ${colours?.paper ?? this.#paper}; forced-color-adjust: none`,
       `${sized}; position: relative; overflow: hidden`,
       `${sized}; position: absolute; left: 0; top: 0; font-size: 16px; transform: translate(${x}px, ${y}px)`,
     ].map(ownStyle);
