@@ -42,7 +42,7 @@ import { loadPart } from "./sources/load_part.ts";
 import type { BookInput } from "./sources/open.ts";
 import type { PageList } from "./sources/page_list.ts";
 import { BookError, type NewIndex, type Typography } from "./sources/page_source.ts";
-import { coloursOf } from "./stage/themes.ts";
+import { coloursOf } from "./themes.ts";
 import type { Viewer, ViewerOptions, Zoom } from "./viewer/viewer.ts";
 import type { FilmFrames } from "./viewer/viewer_options.ts";
 import { elementTexts, fill, languageOf, loadLanguage, percent } from "./words/languages.ts";

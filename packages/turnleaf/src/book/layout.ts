@@ -1,6 +1,5 @@
 /** Chooses how a book is bound and laid out, from the options and the available space. */
 
-import type { PageSource } from "../sources/page_source.ts";
 import { type BindOptions, type CoverKind, countUpTo, type Edge, type Layout } from "./spreads.ts";
 
 /** The requested layout; "auto" leaves the choice to the book or to the space. */
@@ -36,7 +35,7 @@ const leastBetweenBoards = 5;
  */
 export function coverFor(
   requested: LayoutOptions["cover"],
-  own: PageSource["cover"],
+  own: "picture" | "stamped" | "none" | undefined,
   pageCount: number,
 ): { readonly cover: CoverKind; readonly boards: "picture" | "stamped" | undefined } {
   const cover = requested === "auto" ? (own === "none" ? "none" : "hard") : requested;

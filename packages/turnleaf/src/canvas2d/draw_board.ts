@@ -5,7 +5,7 @@
 
 import type { PagePicture } from "../sources/page_source.ts";
 import type { FaceDetail } from "../stage/book_stage.ts";
-import { lookOf } from "../stage/themes.ts";
+import { lookOf } from "../themes.ts";
 import { stretchTo } from "./canvas_layout.ts";
 import {
   type Brush,

@@ -8,7 +8,7 @@ import type { PagePicture } from "../sources/page_source.ts";
 import type { BookPose, BookShape } from "../stage/book_pose.ts";
 import type { FaceDetail } from "../stage/book_stage.ts";
 import { caseSizes } from "../stage/case_sizes.ts";
-import { lookOf } from "../stage/themes.ts";
+import { lookOf } from "../themes.ts";
 import {
   type Box,
   boardBox,

@@ -1,7 +1,7 @@
 /** A peeled leaf: the part that still lies flat, and the part that is folded over it. */
 
 import { Side } from "../engine/phases.ts";
-import { lookOf } from "../stage/themes.ts";
+import { lookOf } from "../themes.ts";
 import { pageBox } from "./canvas_layout.ts";
 import { type Brush, light, type Stops, shade } from "./draw_book.ts";
 import type { DrawnPage } from "./drawn_page.ts";

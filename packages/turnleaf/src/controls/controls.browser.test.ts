@@ -374,7 +374,7 @@ test("the menu works by key and chooses a theme", async () => {
   await userEvent.keyboard("{Enter}");
   expect(active(root)).toBe("Stop the slide-show");
   await userEvent.keyboard("{End}{Enter}");
-  expect(book.getAttribute("theme")).toBe("sepia");
+  expect(book.getAttribute("theme")).toBe("night");
   expect((root.activeElement as HTMLElement).ariaChecked).toBe("true");
   await userEvent.keyboard("{Escape}");
   expect(root.activeElement).toBe(more);

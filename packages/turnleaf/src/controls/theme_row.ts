@@ -1,6 +1,6 @@
 /** The choice of a theme, and of what dark ones do with pages that are drawn already. */
 
-import { pageThemes } from "../stage/themes.ts";
+import { pageThemes } from "../themes.ts";
 import type { ControlledBook } from "./book.ts";
 import { make } from "./make.ts";
 import type { Wording } from "./wording.ts";

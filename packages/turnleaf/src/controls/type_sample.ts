@@ -8,7 +8,7 @@ import {
   isTypeface,
   type TypefaceName,
 } from "../sources/typeset/typefaces/typefaces.ts";
-import { coloursOf } from "../stage/themes.ts";
+import { coloursOf } from "../themes.ts";
 import { make } from "./make.ts";
 
 /** Size of usual type, CSS pixels, and its line height, where neither is chosen. */

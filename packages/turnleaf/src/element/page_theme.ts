@@ -1,7 +1,7 @@
 /** The theme of an element's book, by its attributes and by the system. */
 
 import type { PageColours } from "../sources/page_source.ts";
-import { type PageTheme, pageThemes } from "../stage/themes.ts";
+import { type PageTheme, pageThemes } from "../themes.ts";
 
 /** Attributes that say in which colours a book is shown. */
 export const themeAttributes = ["theme", "dark-pages"] as const;

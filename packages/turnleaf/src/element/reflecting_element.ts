@@ -3,7 +3,7 @@
 import type { Stock, TearLine } from "../engine/shapes.ts";
 import type { TurnModelName } from "../leaf_models/model_choice.ts";
 import type { Typography } from "../sources/page_source.ts";
-import { pageThemes } from "../stage/themes.ts";
+import { pageThemes } from "../themes.ts";
 import {
   bindingOptionsOf,
   stockOf,

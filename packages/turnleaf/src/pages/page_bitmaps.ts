@@ -8,7 +8,7 @@ import type {
   PageSize,
   PageSource,
 } from "../sources/page_source.ts";
-import { lookOf, type PageTheme, type ThemeLook } from "../stage/themes.ts";
+import { lookOf, type PageTheme, type ThemeLook } from "../themes.ts";
 import { coverStamp } from "./cover_stamp.ts";
 import {
   foldAt,

@@ -4,7 +4,7 @@
  */
 
 import type { PageBox } from "../sources/page_source.ts";
-import { lookOf, type ThemeLook } from "../stage/themes.ts";
+import { lookOf, type ThemeLook } from "../themes.ts";
 
 /** Opacity of ink fainter than the text of real pages, and of ink that is easily read without drawing attention. */
 const faint = 0.28;

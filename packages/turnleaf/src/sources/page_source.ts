@@ -4,6 +4,8 @@
  * is all that they have in common.
  */
 
+import type { PageColours } from "../themes.ts";
+
 /** A page's size in the source's own unit (points of a PDF, pixels of a scan). */
 export interface PageSize {
   /** How wide it is. */
@@ -188,21 +190,7 @@ export interface Typography {
   readonly width: number;
 }
 
-/** The colours in which the reader wants pages. CSS colours of six digits. */
-export interface PageColours {
-  /** The colour of paper. */
-  readonly paper: string;
-  /** The colour of print. */
-  readonly ink: string;
-  /** Whether the paper is darker than the print. */
-  readonly isDark: boolean;
-  /**
-   * What is done on dark paper with pages that are no text which is set for the reader: lightness is
-   * turned over and hues stay (`invert`), or they are dimmed (`dim`). By default documents are inverted,
-   * and pictures dimmed.
-   */
-  readonly pictures: "" | "invert" | "dim";
-}
+export type { PageColours };
 
 /** A passage that is read aloud: some text of a book, and the part of a recording that is its sound. */
 export interface NarratedClip {

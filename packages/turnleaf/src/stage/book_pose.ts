@@ -1,7 +1,7 @@
 /** What a stage draws: a book's fixed shape, and where its parts are in one frame. */
 
 import type { Pile, Surface } from "../engine/shapes.ts";
-import type { PageTheme } from "./themes.ts";
+import type { PageTheme } from "../themes.ts";
 
 /** The constant shape of a bound book. Lengths in metres. */
 export interface BookShape {

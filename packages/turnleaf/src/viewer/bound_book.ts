@@ -28,7 +28,7 @@ import type { BookPose, BookShape } from "../stage/book_pose.ts";
 import type { BookStage } from "../stage/book_stage.ts";
 import { caseSizes } from "../stage/case_sizes.ts";
 import { pageWidthIn, paperSize } from "../stage/page_width.ts";
-import type { PageTheme } from "../stage/themes.ts";
+import type { PageTheme } from "../themes.ts";
 import { CornerPeek } from "./corner_peek.ts";
 import { Drags } from "./drag.ts";
 import { FaceTextures } from "./face_textures.ts";

@@ -16,8 +16,8 @@ import { leafSize } from "../pages/leaf_size.ts";
 import { type LiveBitmaps, PageBitmaps } from "../pages/page_bitmaps.ts";
 import type { NewIndex, PageBox, PageSize, PageSource } from "../sources/page_source.ts";
 import type { BookStage, Place } from "../stage/book_stage.ts";
-import type { PageTheme } from "../stage/themes.ts";
 import type { Zoom } from "../stage/zoom.ts";
+import type { PageTheme } from "../themes.ts";
 import type { Backend } from "./backend.ts";
 import {
   type Bindable,

@@ -6,7 +6,7 @@ import { columnPlace, type Ray, type Surface } from "../engine/shapes.ts";
 import type { PagePicture } from "../sources/page_source.ts";
 import type { BookShape } from "../stage/book_pose.ts";
 import type { LeafSide, PageFace } from "../stage/book_stage.ts";
-import { lookOf } from "../stage/themes.ts";
+import { lookOf } from "../themes.ts";
 import { axesOf, fieldOfView, fitPoints, widestLens } from "./camera.ts";
 import { restingCase } from "./case_shape.ts";
 import { ContextWatch, openContext } from "./context.ts";

@@ -5,7 +5,7 @@ import type { Face } from "../book/faces.ts";
 import type { PageBox } from "../sources/page_source.ts";
 import type { BookShape } from "../stage/book_pose.ts";
 import type { LeafSide, PageFace } from "../stage/book_stage.ts";
-import { lookOf } from "../stage/themes.ts";
+import { lookOf } from "../themes.ts";
 import type { BookGrains } from "./grains.ts";
 import { layDetail } from "./ink.ts";
 import { PaperMaterial } from "./paper_material.ts";

@@ -3,7 +3,7 @@
 import { BackSide, Color, FrontSide, ShaderMaterial, type Texture } from "three";
 import type { Paper } from "../engine/shapes.ts";
 import type { BookShape } from "../stage/book_pose.ts";
-import { lookOf } from "../stage/themes.ts";
+import { lookOf } from "../themes.ts";
 import { inkChunk, inkUniforms } from "./ink.ts";
 import { layPapers, papersChunk, paperUniforms } from "./papers.ts";
 import { gapChunk, lightChunk, pictureChunk } from "./shading.ts";

@@ -20,8 +20,8 @@ import type {
   PageFace,
   Place,
 } from "../stage/book_stage.ts";
-import { lookOf } from "../stage/themes.ts";
 import { overheadAt, type Zoom, ZoomState } from "../stage/zoom.ts";
+import { lookOf } from "../themes.ts";
 import { BeyondSpine } from "./beyond_spine.ts";
 import {
   type Framing,

@@ -143,12 +143,12 @@ describe("its pages", () => {
 
   test("hold a picture larger than themselves", async () => {
     const source = await laidOut({
-      chapters: ['<img src="a.png" alt=""/>'],
+      chapters: [prose(1), '<img src="a.png" alt=""/>'],
       files: { "a.png": await png("#0a0", 3000, 3000) },
     });
-    expect(source.pageCount).toBe(1);
-    expect(await colourAt(source, 0, 0.5, 0.3)).toBe("0,170,0");
-    expect(await colourAt(source, 0, 0.97, 0.3)).toBe("255,255,255");
+    expect(source.pageCount).toBe(2);
+    expect(await colourAt(source, 1, 0.5, 0.3)).toBe("0,170,0");
+    expect(await colourAt(source, 1, 0.97, 0.3)).toBe("255,255,255");
   });
 
   test("are cut where the text is, in every direction of writing", async () => {

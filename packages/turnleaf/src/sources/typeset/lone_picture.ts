@@ -20,10 +20,22 @@ const leastFilled = 0.9;
 /** Returns the picture that is all that a section shows; null if it shows anything else. */
 export function lonePicture(root: Element): HTMLElement | SVGElement | null {
   const body = root.querySelector("body") ?? root;
-  const [picture, ...others] = [...body.querySelectorAll(seen)].filter(
-    (element) => element.parentElement?.closest("svg, object, video, audio") == null,
-  );
+  const [picture, ...others] = [...body.querySelectorAll(seen)].filter((element) => {
+    const around = element.parentElement?.closest("svg, object, video, audio") ?? null;
+    // Laid out, all of it is within a drawing.
+    return around === null || !body.contains(around);
+  });
   if (!picture || others.length > 0 || !/^(img|svg)$/.test(picture.localName)) return null;
+  // What is styled may be seen too, by its background or border.
+  const isPlain = (element: Element): boolean =>
+    element.contains(picture) ||
+    picture.contains(element) ||
+    !(
+      element.hasAttribute("class") ||
+      element.hasAttribute(styleAttribute) ||
+      element.hasAttribute("style")
+    );
+  if (![...body.querySelectorAll("*")].every(isPlain)) return null;
   const text = (body.textContent ?? "").trim();
   // A drawing's own text is a part of it.
   const own = (picture.textContent ?? "").trim();

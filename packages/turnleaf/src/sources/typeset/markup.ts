@@ -78,7 +78,8 @@ export class Markup {
     const markup = xmlOf(html);
     // Gone through once, however many pictures there are.
     this.#parts = markup.split(pictureData).map((part) => pictures.get(part) ?? part);
-    this.#styles = styleElements(style.styles);
+    // A theme of high contrast colours controls, and not what is printed.
+    this.#styles = styleElements([...style.styles, "* { forced-color-adjust: none !important; }"]);
     this.#paper = paperOf(html, view) ?? "#fff";
     this.#ink = view.getComputedStyle(html.querySelector("body") ?? html).color;
   }
@@ -105,7 +106,7 @@ export class Markup {
     const sized = `display: block; width: ${width}px; height: ${height}px`;
     const [whole, paper, view, section] = [
       `${sized}; font-size: ${rem}`,
-      `${sized}; fill: ${colours?.paper ?? this.#paper}`,
+      `${sized}; fill: ${colours?.paper ?? this.#paper}; forced-color-adjust: none`,
       `${sized}; position: relative; overflow: hidden`,
       `${sized}; position: absolute; left: 0; top: 0; font-size: 16px; transform: translate(${x}px, ${y}px)`,
     ].map(ownStyle);

@@ -1,6 +1,20 @@
 /** The colours of a book by day and by night: one choice for paper, text, edges and boards. */
 
-import type { PageColours } from "../sources/page_source.ts";
+/** The colours in which the reader wants pages. CSS colours of six digits. */
+export interface PageColours {
+  /** The colour of paper. */
+  readonly paper: string;
+  /** The colour of print. */
+  readonly ink: string;
+  /** Whether the paper is darker than the print. */
+  readonly isDark: boolean;
+  /**
+   * What is done on dark paper with pages that are no text which is set for the reader: lightness is
+   * turned over and hues stay (`invert`), or they are dimmed (`dim`). By default documents are inverted,
+   * and pictures dimmed.
+   */
+  readonly pictures: "" | "invert" | "dim";
+}
 
 /** The themes of a book, the usual one first. */
 export const pageThemes = ["light", "sepia", "grey", "night"] as const;
