@@ -43,6 +43,8 @@ pub struct BookSpaceLeaf {
     pub has_folds: bool,
     /// See [`Folds::falling`].
     pub falling: Vec<bool>,
+    /// Whether each node lies beyond a crease as seen from the spine; empty where there is none.
+    pub beyond: Vec<bool>,
 }
 
 impl BookSpaceLeaf {
@@ -66,6 +68,7 @@ impl BookSpaceLeaf {
             bounds: vec![[[0.0; 3]; 2]; rows],
             has_folds: false,
             falling: Vec::new(),
+            beyond: Vec::new(),
         }
     }
 

@@ -22,7 +22,7 @@ use super::flaps::Flaps;
 use super::fraction_turned::fraction_turned;
 use super::gutter::Gutter;
 use super::limits::{MAX_GRABS, NODES, TICK};
-use super::mesh::find_falling;
+use super::mesh::{find_beyond, find_falling};
 use super::paper::Paper;
 use super::phase::Phase;
 use super::pile::Pile;
@@ -209,9 +209,10 @@ impl Leaf {
         self.flat = self.sheet.flat_places();
         self.flaps = Flaps::of(&self.sheet);
         self.in_book.has_folds = false;
-        let triangles = self.sheet.node_triangles().into_iter();
-        let corners = triangles.map(|(corners, _)| corners);
+        let triangles = self.sheet.node_triangles();
+        let corners = triangles.iter().map(|(corners, _)| *corners);
         self.in_book.falling = find_falling(corners, NODES[0], NODES[0] * NODES[1]);
+        self.in_book.beyond = find_beyond(&triangles, NODES[0] * NODES[1]);
         let places = self.flat.chunks_exact(3 * NODES[0]).enumerate();
         let [width, height] = [self.sheet.settings().width, self.sheet.settings().height];
         self.edge = places
