@@ -216,6 +216,7 @@ impl Flight {
     pub fn draw(&mut self, [right, left]: [&Pile; 2], last: [&Pile; 2], needs_crossing_test: bool) {
         self.clear_of = [None; 2];
         self.rounds = 0;
+        self.parts.forget();
         let is_crumpled = self.is_crumpled();
         self.needs_crossing_test |= core::mem::take(&mut self.held_back);
         // What else was written would be drawn as nothing, or as nothing but itself.

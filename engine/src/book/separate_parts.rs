@@ -47,6 +47,8 @@ pub struct DrawnParts {
     pub blocks: Vec<Block>,
     /// What the points of the blocks may overlap, of one after the other.
     pairs: Vec<Pair>,
+    /// Where the points were when they were looked at last; empty where they never were.
+    seen: Vec<[f32; 3]>,
     columns: usize,
     /// Whether any part is folded over more than once.
     has_overlap: bool,
@@ -272,6 +274,7 @@ impl DrawnParts {
             edges,
             blocks,
             pairs: Vec::new(),
+            seen: Vec::new(),
             columns,
         }
     }
@@ -293,6 +296,11 @@ impl DrawnParts {
         node.is_multiple_of(self.columns)
     }
 
+    /// Forgets where the points were, as other creases are folded, or otherwise.
+    pub fn forget(&mut self) {
+        self.seen.clear();
+    }
+
     /// Moves the drawn parts of a folded leaf off each other, to the sides to which they are folded,
     /// within a scale and so many rounds: see [`separate`](Self::separate).
     pub fn separate_flaps(
@@ -311,7 +319,7 @@ impl DrawnParts {
     /// work is left; returns whether any did in the last. `side` says on which side of a triangle of a
     /// part another lies, 1 that of its normal or -1, if the normals of both are along each other
     /// or not; None where it may lie on either. Lengths are those of a page 0.14 m wide; its own
-    /// is wider by `scale`.
+    /// is wider by `scale`. Only what has moved since it was looked at last is looked at.
     pub fn separate(
         &mut self,
         points: &mut [[f32; 3]],
@@ -324,10 +332,14 @@ impl DrawnParts {
             if round > 0 && work.is_spent() {
                 break;
             }
-            self.find_pairs(points, scale, &side);
+            moved = false;
+            let has_moved = self.find_moved(points);
+            if !has_moved.contains(&true) {
+                break;
+            }
+            self.find_pairs(points, scale, &has_moved, &side);
             let blocks = self.blocks.len() as u32;
             work.spend(BLOCKS * blocks * blocks + PAIR * self.pairs.len() as u32);
-            moved = false;
             for node in 0..self.points.len() {
                 let Some(home) = self.points[node] else {
                     continue;
@@ -365,11 +377,26 @@ impl DrawnParts {
         moved
     }
 
-    /// Finds which blocks may overlap each other where the points are now.
+    /// Whether any corner of each block has moved since it was looked at last; all that are now
+    /// count as looked at. What overlapped then was moved.
+    fn find_moved(&mut self, points: &[[f32; 3]]) -> Vec<bool> {
+        let has_moved = |node: &usize| self.seen.get(*node) != Some(&points[*node]);
+        let moved = self.blocks.iter().map(|block| {
+            let mut corners = self.corners[block.corners.clone()].iter();
+            corners.any(has_moved)
+        });
+        let moved = moved.collect();
+        self.seen.clear();
+        self.seen.extend_from_slice(points);
+        moved
+    }
+
+    /// Finds which blocks may overlap each other where the points are now, of which one has moved.
     fn find_pairs(
         &mut self,
         points: &[[f32; 3]],
         scale: f32,
+        has_moved: &[bool],
         side: &impl Fn(u16, u16, bool) -> Option<f32>,
     ) {
         for block in &mut self.blocks {
@@ -383,7 +410,10 @@ impl DrawnParts {
             } = self.blocks[home];
             let start = self.pairs.len();
             for (under, block) in self.blocks.iter_mut().enumerate() {
-                if block.part == part || !block.is_near([low, high], NOT_UPON * scale) {
+                if block.part == part
+                    || !(has_moved[home] || has_moved[under])
+                    || !block.is_near([low, high], NOT_UPON * scale)
+                {
                     continue;
                 }
                 let [own, other] = [part, block.part].map(|part| facing_of(&facing, part));
