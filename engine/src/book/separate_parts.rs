@@ -89,6 +89,8 @@ pub struct Slab {
     pub normal: [f32; 3],
     low: f32,
     high: f32,
+    /// How far a point at most is along each axis from the triangle that it is one metre over.
+    lean: [f32; 3],
     /// Whether all triangles face along the normal. What is outside of the slab is then at least
     /// as far from each triangle that it is over.
     is_even: bool,
@@ -143,6 +145,16 @@ impl Slab {
             normal,
             low: low - beyond,
             high: high + beyond,
+            lean: normals.clone().fold([0.0; 3], |lean: [f32; 3], normal| {
+                let normal = unit(normal).map(f32::abs);
+                core::array::from_fn(|i| {
+                    if lean[i] > normal[i] {
+                        lean[i]
+                    } else {
+                        normal[i]
+                    }
+                })
+            }),
             is_even: normals.into_iter().all(|own| dot(own, normal) > 0.0),
         }
     }
@@ -476,7 +488,16 @@ impl DrawnParts {
 
 /// Whether anything in a box may be too low over triangles of a block, or in them.
 fn may_overlap(block: &Block, bounds: [[f32; 3]; 2], side: f32, scale: f32) -> bool {
-    let is_clear = |slab: &Slab| slab.distance(bounds, side) > (OVER_PILE - SLACK) * scale;
+    let [low, high] = bounds;
+    let is_clear = |slab: &Slab| {
+        let is_beside = (0..3).any(|i| {
+            // A corner's weight is up to twice as much beyond 1 as the others' are below 0.
+            let beyond = 2.0 * BESIDE * (block.high[i] - block.low[i]);
+            let within = NOT_UPON * scale * slab.lean[i] + OVER_PILE * scale + beyond;
+            low[i] > block.high[i] + within || high[i] < block.low[i] - within
+        });
+        is_beside || slab.distance(bounds, side) > (OVER_PILE - SLACK) * scale
+    };
     block.is_near(bounds, NOT_UPON * scale) && !block.slab.as_ref().is_some_and(is_clear)
 }
 
