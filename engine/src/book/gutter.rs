@@ -149,4 +149,40 @@ mod tests {
             assert!(apart < 6e-4, "{apart} m at {degrees} degrees");
         }
     }
+
+    /// A flap that lies upon its page, or stands open over it, as far as the spine and beyond.
+    #[test]
+    fn nodes_of_a_flap_are_bent_to_where_it_is_drawn() {
+        let (width, columns) = (0.14f32, 10);
+        let u = crowded_columns(49);
+        let right = Pile::new(Side::Right, f64::from(width), 0.012, &u);
+        let left = Pile::new(Side::Left, f64::from(width), 0.006, &u);
+        let mut gutter = Gutter::new(columns, &u);
+        gutter.update(right.angles(), left.angles());
+        let crease = 4.0 / 9.0;
+        for degrees in [0, 5, 20, 60] {
+            let (sin, cos) = libm::sincosf(degrees as f32 * core::f32::consts::PI / 180.0);
+            let place = |u: f32| {
+                let over = (u - crease).max(0.0);
+                [
+                    (u.min(crease) - over * cos) * width,
+                    0.0,
+                    over * sin * width,
+                ]
+            };
+            let nodes = (0..columns).map(|k| k as f32 / (columns - 1) as f32);
+            let flat: Vec<f32> = nodes.clone().flat_map(place).collect();
+            let mut in_book = BookSpaceLeaf::new(columns, 1, [width / 9.0, 0.01]);
+            in_book.beyond = nodes.map(|u| u > crease + 1e-6).collect();
+            gutter.bend(&flat, &mut in_book);
+            let mut drawn: Vec<f32> = u.iter().flat_map(|u| place(*u)).collect();
+            let beyond: Vec<bool> = u.iter().map(|u| *u > crease).collect();
+            bend_into_gutter(&mut drawn, &right, &left, (0.0, &beyond));
+            let end = &drawn[drawn.len() - 3..];
+            let node = in_book.points[columns - 1];
+            let apart = (end[0] - node[0]).hypot(end[2] - node[2]);
+            // Its fold lies between two drawn columns.
+            assert!(apart < 4e-3, "{apart} m at {degrees} degrees");
+        }
+    }
 }

@@ -584,6 +584,19 @@ pub(super) mod tests {
     }
 
     #[test]
+    fn what_has_not_moved_is_not_looked_at_again() {
+        let (mut points, mut parts) = folded(0.0);
+        let upon = |_, _, _| Some(1.0);
+        assert!(!parts.separate(&mut points, (1.0, ROUNDS), upon, &mut unbounded()));
+        let mut work = unbounded();
+        parts.separate(&mut points, (1.0, ROUNDS), upon, &mut work);
+        assert_eq!(work.done(), 0);
+        parts.forget();
+        parts.separate(&mut points, (1.0, ROUNDS), upon, &mut work);
+        assert!(work.done() > 0);
+    }
+
+    #[test]
     fn a_page_is_raised_off_a_flap_that_lies_under_it() {
         let (mut points, mut parts) = folded(5e-4);
         parts.separate(
