@@ -156,9 +156,8 @@ impl Flaps {
 
     /// Turns the normals of what is folded over, so that those of the whole leaf point to the
     /// side to which the recto of what is not folded over faces: there a neighbour on the
-    /// recto's side lies, whichever face of a flap it meets. Returns the creases that are
-    /// [shut](Self::shut).
-    pub fn face_as_the_rest(&self, points: &[[f32; 3]], normals: &mut [[f32; 3]]) -> u16 {
+    /// recto's side lies, whichever face of a flap it meets. Returns whether anything is.
+    pub fn face_as_the_rest(&self, points: &[[f32; 3]], normals: &mut [[f32; 3]]) -> bool {
         let shut = self.shut(points);
         let mut sums = vec![[0.0f32; 3]; normals.len()];
         for triangle in &self.triangles {
@@ -179,14 +178,7 @@ impl Flaps {
                 *normal = unit(sum);
             }
         }
-        shut
-    }
-
-    /// Whether each node is folded over where some creases are [shut](Self::shut); those on creases
-    /// are not.
-    pub fn turned_over(&self, shut: u16) -> impl Iterator<Item = bool> {
-        let parts = self.parts.iter();
-        parts.map(move |part| part.is_some_and(|part| is_turned_over(part, shut)))
+        shut != 0
     }
 
     /// Whether any part of the leaf is folded more than once.

@@ -1,6 +1,5 @@
 //! A leaf's nodes in the book, and what it remembers of what they met.
 
-use super::flap_order::FlapOrder;
 use super::fraction_turned::fraction_turned;
 use super::mesh::{Folds, Mesh, update_normals};
 use super::tolerance::{CLOSE, FAR};
@@ -40,14 +39,10 @@ pub struct BookSpaceLeaf {
     pub pile_gaps: Vec<f32>,
     /// The box around each row, metres: its lowest and its highest corner.
     pub bounds: Vec<[[f32; 3]; 2]>,
-    /// Whether each node is folded over; empty where none is.
-    pub turned_over: Vec<bool>,
-    /// How its parts lie upon those of the left and of the right neighbour.
-    pub flap_order: [FlapOrder; 2],
+    /// Whether parts of it are folded over.
+    pub has_folds: bool,
     /// See [`Folds::falling`].
     pub falling: Vec<bool>,
-    /// Whether each node lies beyond a crease as seen from the spine; empty where there is none.
-    pub beyond: Vec<bool>,
 }
 
 impl BookSpaceLeaf {
@@ -69,10 +64,8 @@ impl BookSpaceLeaf {
             gaps: [vec![FAR; nodes], vec![FAR; nodes]],
             pile_gaps: vec![FAR; nodes],
             bounds: vec![[[0.0; 3]; 2]; rows],
-            turned_over: Vec::new(),
-            flap_order: [FlapOrder::NONE; 2],
+            has_folds: false,
             falling: Vec::new(),
-            beyond: Vec::new(),
         }
     }
 
@@ -89,39 +82,11 @@ impl BookSpaceLeaf {
         }
     }
 
-    /// Whether parts of it are folded over.
-    pub fn has_folds(&self) -> bool {
-        CAN_CREASE && !self.turned_over.is_empty()
-    }
-
-    /// Whether a node is folded over.
-    pub fn is_turned_over(&self, node: usize) -> bool {
-        CAN_CREASE && self.turned_over.get(node) == Some(&true)
-    }
-
-    /// The side of its left (0) or right (1) neighbour on which a node lies next to a node of that:
-    /// `side` of its outer face, but where it lies under a flap of the other.
-    pub fn side_of(
-        &self,
-        slot: usize,
-        node: usize,
-        other: &BookSpaceLeaf,
-        near: usize,
-        side: f32,
-    ) -> f32 {
-        let are_flaps = [self.is_turned_over(node), other.is_turned_over(near)];
-        if CAN_CREASE && self.flap_order[slot].is_under(are_flaps[0], are_flaps[1]) {
-            -side
-        } else {
-            side
-        }
-    }
-
     /// A node from which a walk leads to the node nearest to a point, sought from node `start`.
     /// What is folded over has a nearest node of its own, at which a walk may end: of a leaf
     /// with such parts the nearest of all nodes is sought.
     pub fn start_near(&self, point: [f32; 3], start: usize) -> usize {
-        if !self.has_folds() {
+        if !CAN_CREASE || !self.has_folds {
             return start;
         }
         let away = |node: usize| {
@@ -167,7 +132,6 @@ impl BookSpaceLeaf {
     pub fn forget(&mut self) {
         self.was_held = false;
         self.depth = 0.0;
-        self.flap_order = [FlapOrder::NONE; 2];
         for gaps in &mut self.gaps {
             gaps.fill(FAR);
         }

@@ -138,7 +138,6 @@ fn detect_neighbour_contacts(
             continue;
         };
         leaf.nearest[slot - 1][node] = near.node as u16;
-        let side = leaf.side_of(slot - 1, node, other, near.node, side);
         let gap = side * near.height - GAP;
         let away = sub(point, other.points[near.node]);
         // What is far, or far to the wrong side, is not lying upon it there.
@@ -195,7 +194,6 @@ fn detect_contacts_between_nodes(
             let Some(near) = mesh.near(point, start) else {
                 continue;
             };
-            let side = leaf.side_of(slot - 1, node, other, near.node, side);
             let gap = side * near.height - GAP;
             let least = gaps[0].min(gaps[1]);
             if gap > least || gap < least - BETWEEN_NODES {

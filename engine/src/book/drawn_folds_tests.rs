@@ -47,7 +47,7 @@ fn bend(flight: &mut Flight, angles: [f32; 2]) {
 
 /// Facing pages folded in two open their flaps against each other over the spine, one comes to lie
 /// upon the other, and what is drawn of them goes with their paper when one is turned. It stood, as
-/// each flap was to lie upon the other.
+/// each flap was to lie upon the other. A few frames are still behind.
 #[test]
 fn flaps_that_meet_over_the_spine_are_drawn_where_their_paper_is() {
     for stock in [Stock::BOOK, Stock::CARD] {

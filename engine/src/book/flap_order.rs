@@ -6,7 +6,7 @@
 //! over the spine lies with its inner face upon the page there, or upon a flap of that; and of two
 //! such flaps one lies upon the other: the one that is farther up, as far as they are over each other.
 
-use super::book_space_leaf::BookSpaceLeaf;
+use super::mesh::Mesh;
 use crate::vector::{dot, unit};
 
 /// Whether parts of a leaf lie upon those of a neighbour, by whether the part of the one and that of
@@ -20,8 +20,8 @@ impl FlapOrder {
     pub const NONE: FlapOrder = FlapOrder([[None; 2]; 2]);
 
     /// The order of a leaf's parts and those of its neighbour on the right.
-    pub fn of(left: &BookSpaceLeaf, right: &BookSpaceLeaf) -> FlapOrder {
-        if !left.has_folds() && !right.has_folds() {
+    pub fn of(left: Mesh<'_>, right: Mesh<'_>) -> FlapOrder {
+        if left.folds.turned_over.is_empty() && right.folds.turned_over.is_empty() {
             return FlapOrder::NONE;
         }
         // A leaf on the left has its verso up, one on the right its recto.
@@ -63,9 +63,10 @@ impl FlapOrder {
 
 /// The mean normals of what is not folded over of a leaf, and of what is, on the recto's side of
 /// the leaf (1) or on the verso's (-1).
-fn outer_faces(leaf: &BookSpaceLeaf, side: f32) -> [[f32; 3]; 2] {
+fn outer_faces(leaf: Mesh<'_>, side: f32) -> [[f32; 3]; 2] {
     let mut sums = [[0.0; 3]; 2];
-    for (node, normal) in leaf.normals.iter().enumerate() {
+    for node in 0..leaf.points.len() {
+        let normal = leaf.normal(node);
         let sum = &mut sums[usize::from(leaf.is_turned_over(node))];
         *sum = core::array::from_fn(|axis| sum[axis] + side * normal[axis]);
     }
@@ -83,7 +84,7 @@ struct Flap {
 }
 
 impl Flap {
-    fn of(leaf: &BookSpaceLeaf, up: [f32; 3]) -> Flap {
+    fn of(leaf: Mesh<'_>, up: [f32; 3]) -> Flap {
         let seen = |node: usize| {
             let [x, y, z] = leaf.points[node];
             [x * up[2] - z * up[0], y, x * up[0] + z * up[2]]
@@ -96,7 +97,7 @@ impl Flap {
             .filter(is_cell)
             .flat_map(|here| {
                 let above = here + leaf.columns;
-                let [last, first] = if leaf.falling.get(here) == Some(&true) {
+                let [last, first] = if leaf.folds.is_falling(here) {
                     [above, here + 1]
                 } else {
                     [above + 1, here]

@@ -410,7 +410,10 @@ impl Flight {
 
     /// Finds how parts of it and of the one on its right lie upon each other as they are drawn.
     pub fn order_flaps(&mut self, right: &mut Flight) {
-        let [own, other] = [&*self, right].map(|flight| flight.leaf.in_book_space());
+        let [own, other] = [&*self, right].map(|flight| Mesh {
+            folds: folds(flight.creased.as_ref(), &flight.turned_over),
+            ..Mesh::of(&flight.surface)
+        });
         let order = FlapOrder::of(own, other);
         self.flap_order[1] = order;
         right.flap_order[0] = order.reversed();

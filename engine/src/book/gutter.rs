@@ -10,8 +10,6 @@ use super::book_space_leaf::BookSpaceLeaf;
 use super::fraction_turned::fraction_turned;
 #[cfg(doc)]
 use super::pile::Pile;
-use super::turn_by_place::turn_between;
-use crate::models::sheet::CAN_CREASE;
 
 /// Angles of a row, from lying right to lying left, for which a cell's turn is
 /// tabled; between them it is linear.
@@ -23,10 +21,6 @@ pub struct Gutter {
     columns: usize,
     /// `[cell][angle]`, cells along u.
     turns: Vec<[[f32; 2]; ANGLES]>,
-    /// The same of each drawn segment, and u of their ends: what is folded over lies anywhere
-    /// along them.
-    segments: Vec<[[f32; 2]; ANGLES]>,
-    ends: Vec<f32>,
     /// Parts of drawn segments in each cell: cell, segment, part of the cell.
     parts: Vec<(usize, usize, f32)>,
 }
@@ -48,54 +42,37 @@ impl Gutter {
         Gutter {
             columns,
             turns: vec![[[0.0; 2]; ANGLES]; columns - 1],
-            segments: vec![[[0.0; 2]; ANGLES]; u.len() - 1],
-            ends: u.to_vec(),
             parts,
         }
     }
 
     /// Brings the turns up to date with the [angles](Pile::angles) of the piles.
     pub fn update(&mut self, right: &[f32], left: &[f32]) {
-        for (turns, (on_right, on_left)) in self.segments.iter_mut().zip(right.iter().zip(left)) {
-            for (k, turn) in turns.iter_mut().enumerate() {
-                let w = k as f32 / (ANGLES - 1) as f32;
-                let (sin, cos) = libm::sincosf((1.0 - w) * on_right - w * on_left);
-                *turn = [cos, sin];
-            }
-        }
         for turns in &mut self.turns {
             *turns = [[0.0; 2]; ANGLES];
         }
         for &(cell, segment, part) in &self.parts {
-            for (turn, [cos, sin]) in self.turns[cell].iter_mut().zip(self.segments[segment]) {
+            let (on_right, on_left) = (right[segment], left[segment]);
+            for (k, turn) in self.turns[cell].iter_mut().enumerate() {
+                let w = k as f32 / (ANGLES - 1) as f32;
+                let (sin, cos) = libm::sincosf((1.0 - w) * on_right - w * on_left);
                 turn[0] += part * cos;
                 turn[1] += part * sin;
             }
         }
     }
 
-    /// Bends a leaf's nodes into the gutter: `flat` are x, y, z of each over a flat table. What is
-    /// folded over is turned by where it is, as it is where it is drawn.
+    /// Bends a leaf's nodes into the gutter: `flat` are x, y, z of each over a flat table.
     pub fn bend(&self, flat: &[f32], in_book: &mut BookSpaceLeaf) {
         let rows = flat.as_chunks::<3>().0.chunks_exact(self.columns);
         let places = in_book.points.chunks_exact_mut(self.columns);
         let turned = in_book.turned.chunks_exact_mut(self.columns);
-        let to_u = 1.0 / (in_book.cell[0] * (self.columns - 1) as f32);
-        for (row, ((flat, places), turned)) in rows.zip(places).zip(turned).enumerate() {
+        for ((flat, places), turned) in rows.zip(places).zip(turned) {
             places[0] = [0.0, flat[0][1], 0.0];
             turned[0] = [1.0, 0.0];
             for k in 1..self.columns {
                 let (dx, dz) = (flat[k][0] - flat[k - 1][0], flat[k][2] - flat[k - 1][2]);
-                let is_beyond = || in_book.beyond.get(row * self.columns + k) == Some(&true);
-                let [cos, sin] = if CAN_CREASE && is_beyond() {
-                    let [from, to] = [k - 1, k].map(|k| [flat[k][0], flat[k][2]]);
-                    let [from, to] = [from, to].map(|place| place.map(|x| x * to_u));
-                    turn_between(from, to, &self.ends, |segment, fraction| {
-                        turn(&self.segments[segment], fraction)
-                    })
-                } else {
-                    turn(&self.turns[k - 1], fraction_turned(dx, dz))
-                };
+                let [cos, sin] = self.turn(k - 1, fraction_turned(dx, dz));
                 let before = places[k - 1];
                 places[k] = [
                     before[0] + dx * cos - dz * sin,
@@ -107,14 +84,16 @@ impl Gutter {
         }
         in_book.update_normals();
     }
-}
 
-/// The turn of what is turned so far from the right, 0 to 1, by those of a few angles.
-fn turn(turns: &[[f32; 2]; ANGLES], fraction: f32) -> [f32; 2] {
-    let at = fraction.clamp(0.0, 1.0) * (ANGLES - 1) as f32;
-    let k = (at as usize).min(ANGLES - 2);
-    let (t, [a, b]) = (at - k as f32, [turns[k], turns[k + 1]]);
-    [a[0] + (b[0] - a[0]) * t, a[1] + (b[1] - a[1]) * t]
+    fn turn(&self, cell: usize, fraction: f32) -> [f32; 2] {
+        let at = fraction.clamp(0.0, 1.0) * (ANGLES - 1) as f32;
+        let k = (at as usize).min(ANGLES - 2);
+        let (t, [a, b]) = (
+            at - k as f32,
+            [self.turns[cell][k], self.turns[cell][k + 1]],
+        );
+        [a[0] + (b[0] - a[0]) * t, a[1] + (b[1] - a[1]) * t]
+    }
 }
 
 #[cfg(test)]
@@ -147,42 +126,6 @@ mod tests {
             let node = in_book.points[columns - 1];
             let apart = (end[0] - node[0]).hypot(end[2] - node[2]);
             assert!(apart < 6e-4, "{apart} m at {degrees} degrees");
-        }
-    }
-
-    /// A flap that lies upon its page, or stands open over it, as far as the spine and beyond.
-    #[test]
-    fn nodes_of_a_flap_are_bent_to_where_it_is_drawn() {
-        let (width, columns) = (0.14f32, 10);
-        let u = crowded_columns(49);
-        let right = Pile::new(Side::Right, f64::from(width), 0.012, &u);
-        let left = Pile::new(Side::Left, f64::from(width), 0.006, &u);
-        let mut gutter = Gutter::new(columns, &u);
-        gutter.update(right.angles(), left.angles());
-        let crease = 4.0 / 9.0;
-        for degrees in [0, 5, 20, 60] {
-            let (sin, cos) = libm::sincosf(degrees as f32 * core::f32::consts::PI / 180.0);
-            let place = |u: f32| {
-                let over = (u - crease).max(0.0);
-                [
-                    (u.min(crease) - over * cos) * width,
-                    0.0,
-                    over * sin * width,
-                ]
-            };
-            let nodes = (0..columns).map(|k| k as f32 / (columns - 1) as f32);
-            let flat: Vec<f32> = nodes.clone().flat_map(place).collect();
-            let mut in_book = BookSpaceLeaf::new(columns, 1, [width / 9.0, 0.01]);
-            in_book.beyond = nodes.map(|u| u > crease + 1e-6).collect();
-            gutter.bend(&flat, &mut in_book);
-            let mut drawn: Vec<f32> = u.iter().flat_map(|u| place(*u)).collect();
-            let beyond: Vec<bool> = u.iter().map(|u| *u > crease).collect();
-            bend_into_gutter(&mut drawn, &right, &left, (0.0, &beyond));
-            let end = &drawn[drawn.len() - 3..];
-            let node = in_book.points[columns - 1];
-            let apart = (end[0] - node[0]).hypot(end[2] - node[2]);
-            // Its fold lies between two drawn columns.
-            assert!(apart < 4e-3, "{apart} m at {degrees} degrees");
         }
     }
 }

@@ -18,12 +18,11 @@ mod tests;
 
 use super::book_space_leaf::BookSpaceLeaf;
 use super::contacts::{ContactView, Neighbour, detect_contacts, detect_self_contacts};
-use super::flap_order::FlapOrder;
 use super::flaps::Flaps;
 use super::fraction_turned::fraction_turned;
 use super::gutter::Gutter;
 use super::limits::{MAX_GRABS, NODES, TICK};
-use super::mesh::{find_beyond, find_falling};
+use super::mesh::find_falling;
 use super::paper::Paper;
 use super::phase::Phase;
 use super::pile::Pile;
@@ -209,11 +208,10 @@ impl Leaf {
         self.opening = None;
         self.flat = self.sheet.flat_places();
         self.flaps = Flaps::of(&self.sheet);
-        self.in_book.turned_over.clear();
-        let triangles = self.sheet.node_triangles();
-        let corners = triangles.iter().map(|(corners, _)| *corners);
+        self.in_book.has_folds = false;
+        let triangles = self.sheet.node_triangles().into_iter();
+        let corners = triangles.map(|(corners, _)| corners);
         self.in_book.falling = find_falling(corners, NODES[0], NODES[0] * NODES[1]);
-        self.in_book.beyond = find_beyond(&triangles, NODES[0] * NODES[1]);
         let places = self.flat.chunks_exact(3 * NODES[0]).enumerate();
         let [width, height] = [self.sheet.settings().width, self.sheet.settings().height];
         self.edge = places
@@ -308,13 +306,6 @@ impl Leaf {
         &self.in_book
     }
 
-    /// Notes how parts of this leaf and of the one on its right lie upon each other.
-    pub fn order_flaps(&mut self, right: &mut Leaf) {
-        let order = FlapOrder::of(&self.in_book, &right.in_book);
-        self.in_book.flap_order[1] = order;
-        right.in_book.flap_order[0] = order.reversed();
-    }
-
     /// The sheet itself.
     pub fn sheet(&self) -> &Sheet {
         &self.sheet
@@ -364,10 +355,8 @@ impl Leaf {
             *own = [cos * v[0] - sin * v[2], v[1], sin * v[0] + cos * v[2]];
         }
         if let (true, Some(flaps)) = (CAN_CREASE, &self.flaps) {
-            let shut = flaps.face_as_the_rest(&in_book.points, &mut in_book.normals);
-            in_book.turned_over.clear();
-            if shut != 0 {
-                in_book.turned_over.extend(flaps.turned_over(shut));
+            in_book.has_folds = flaps.face_as_the_rest(&in_book.points, &mut in_book.normals);
+            if in_book.has_folds {
                 in_book.bound_rows();
             }
         }

@@ -34,7 +34,6 @@ impl Flights {
             flight.leaf_mut().bend_over(piles);
             flight.leaf_mut().bend_into_gutter(gutter);
         }
-        self.order_flaps();
         self.make_room();
         for flight in &mut self.order {
             flight.leaf_mut().keep();
@@ -60,15 +59,6 @@ impl Flights {
         let work = self.order.iter_mut().map(Flight::take_work);
         self.tick_work = work.fold(0, u32::saturating_add);
         self.join_piles();
-    }
-
-    /// Finds which flaps of neighbours lie upon each other.
-    fn order_flaps(&mut self) {
-        for right in 1..self.order.len() {
-            if let [left, right] = &mut self.order[right - 1..=right] {
-                left.leaf_mut().order_flaps(right.leaf_mut());
-            }
-        }
     }
 
     /// Keeps grabs from pulling what they hold through the leaves beside it: they
