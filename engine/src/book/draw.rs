@@ -44,6 +44,11 @@ pub fn draw(order: &mut [Flight], piles: [&Pile; 2], last: [&Pile; 2]) -> (bool,
     }
     if has_folds(order) {
         order.iter_mut().for_each(Flight::find_parts);
+        for right in 1..order.len() {
+            if let [left, right] = &mut order[right - 1..=right] {
+                left.order_flaps(right);
+            }
+        }
     }
     let separating = &mut Work::new(SEPARATING);
     resolve(order, ALL, piles, separating);
@@ -105,6 +110,14 @@ fn separate(order: &mut [Flight], set: u16, piles: [&Pile; 2], work: &mut Work) 
     let on_left = (0..on_left).map(|index| (index, Side::Left));
     for (index, side) in on_left.chain(on_right).chain([middle]) {
         if index < count && set >> index & 1 == 1 {
+            // Where a flap reaches over the spine each may lie upon the other.
+            let other = match side {
+                Side::Left => index.wrapping_sub(1),
+                Side::Right => index + 1,
+            };
+            if other < count && set >> other & 1 == 1 && order[index].lies_open_beside(side) {
+                move_off(order, other, side.opposite(), piles, work);
+            }
             move_off(order, index, side, piles, work);
         }
     }

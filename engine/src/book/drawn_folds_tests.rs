@@ -45,6 +45,49 @@ fn bend(flight: &mut Flight, angles: [f32; 2]) {
     }
 }
 
+/// Facing pages folded in two open their flaps against each other over the spine, one comes to lie
+/// upon the other, and what is drawn of them goes with their paper when one is turned. It stood, as
+/// each flap was to lie upon the other. A few frames are still behind.
+#[test]
+fn flaps_that_meet_over_the_spine_are_drawn_where_their_paper_is() {
+    for stock in [Stock::BOOK, Stock::CARD] {
+        let mut book = open_book();
+        let paper = Paper {
+            stock,
+            ..Paper::default()
+        };
+        assert!(book.set_paper(&paper));
+        for (leaf, degrees) in [(19, -160f64), (20, 160.0)] {
+            let through = [[0.5, 0.0], [0.5, 1.0]];
+            let rest = degrees.to_radians();
+            let line = FoldLine::pressed(through, rest, &stock, f64::from(PAGE[0]));
+            assert!(book.crease(leaf, &[line]));
+        }
+        book.lay(20);
+        let lag = |book: &Book| {
+            let leaves = 0..book.drawn_leaves();
+            let lags = leaves.filter_map(|index| book.lag(index));
+            lags.fold(0.0, f32::max)
+        };
+        let frame = |book: &mut Book| {
+            book.step(2);
+            book.update();
+            lag(book)
+        };
+        for _ in 0..300 {
+            frame(&mut book);
+        }
+        assert_eq!(lag(&book), 0.0, "they lie");
+        let id = book.pick_up(Side::Right, 20, 21).unwrap();
+        book.play(id, Side::Left, 0.8);
+        let mut behind = 0;
+        for _ in 0..120 {
+            behind += usize::from(frame(&mut book) > 5e-3);
+        }
+        assert!(behind <= 12, "{behind} of 120 frames");
+    }
+}
+
 /// A leaf that stands is folded back through itself down to the pages, and next to another there is
 /// no more work to move it off that: its parts, moved off each other, go sideways as well as up.
 #[test]

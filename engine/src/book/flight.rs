@@ -7,6 +7,7 @@ use core::sync::atomic::{AtomicU32, Ordering};
 use super::bend_into_gutter::{Over, bend_into_gutter, is_clear, push_edges_off, push_off};
 use super::creased_mesh::CreasedMesh;
 use super::crossing::{Tiles, is_past};
+use super::flap_order::FlapOrder;
 use super::flaps::is_turned_over;
 use super::leaf::Leaf;
 use super::limits::{FARTHEST, NODES};
@@ -14,7 +15,7 @@ use super::mesh::{Folds, Mesh};
 use super::phase::Phase;
 use super::pile::Pile;
 use super::separate::{DrawnLeaf, find_bends, separate};
-use super::separate_folded::{MovedLeaf, Outcome, PartedLeaf, PlacedBlocks, push_off_leaf};
+use super::separate_folded::{MovedLeaf, Order, Outcome, PartedLeaf, PlacedBlocks, push_off_leaf};
 use super::separate_parts::{DrawnParts, ROUNDS};
 use super::tolerance::{AT_FACET, DEEP, PAST_AT_SPINE};
 use super::work::Work;
@@ -88,6 +89,8 @@ pub struct Flight {
     shut: u16,
     /// Which points are folded over; empty where none is.
     turned_over: Vec<bool>,
+    /// How its parts are drawn upon those of the left and of the right neighbour.
+    flap_order: [FlapOrder; 2],
     /// Rises whenever what is to be drawn of it moves.
     revision: u32,
     /// The revisions of it and of its left and its right neighbour at which it was found to lie
@@ -128,6 +131,7 @@ impl Flight {
             parts: DrawnParts::default(),
             shut: 0,
             turned_over: Vec::new(),
+            flap_order: [FlapOrder::NONE; 2],
             revision: 0,
             clear_of: [None; 2],
             cells: u.iter().map(cell).collect(),
@@ -212,6 +216,7 @@ impl Flight {
     pub fn draw(&mut self, [right, left]: [&Pile; 2], last: [&Pile; 2], needs_crossing_test: bool) {
         self.clear_of = [None; 2];
         self.rounds = 0;
+        self.parts.forget();
         let is_crumpled = self.is_crumpled();
         self.needs_crossing_test |= core::mem::take(&mut self.held_back);
         // What else was written would be drawn as nothing, or as nothing but itself.
@@ -403,6 +408,22 @@ impl Flight {
         }
     }
 
+    /// Finds how parts of it and of the one on its right lie upon each other as they are drawn.
+    pub fn order_flaps(&mut self, right: &mut Flight) {
+        let [own, other] = [&*self, right].map(|flight| Mesh {
+            folds: folds(flight.creased.as_ref(), &flight.turned_over),
+            ..Mesh::of(&flight.surface)
+        });
+        let order = FlapOrder::of(own, other);
+        self.flap_order[1] = order;
+        right.flap_order[0] = order.reversed();
+    }
+
+    /// Whether parts of it lie upon parts of the neighbour on a side, or under these, as both lie open.
+    pub fn lies_open_beside(&self, side: Side) -> bool {
+        CAN_CREASE && self.flap_order[usize::from(side == Side::Right)].lie_open()
+    }
+
     /// Moves what is drawn of it out of the piles (right and left), so far over each, its parts
     /// off each other, and all of it off the neighbour on a side, until it is clear of all.
     /// One of the two is creased, and the [parts](Self::find_parts) of both are known.
@@ -419,7 +440,7 @@ impl Flight {
         let mut seen = Vec::new();
         let mut placed = neighbour.map(|(flight, _)| PlacedBlocks::of(&flight.parted()));
         // A round looks only at what moved since the one before it.
-        let (mut is_clear, mut crosses) = (false, false);
+        let (mut is_clear, mut is_covered, mut crosses) = (false, false, false);
         let mut is_resolved = false;
         for _ in 0..ROUNDS {
             self.keep_off_piles(piles, over);
@@ -429,7 +450,15 @@ impl Flight {
                     is_clear = false;
                     break;
                 }
-                let side = if side == Side::Left { -1.0 } else { 1.0 };
+                let (slot, side) = match side {
+                    Side::Left => (0, -1.0),
+                    Side::Right => (1, 1.0),
+                };
+                let order = Order {
+                    side,
+                    scale,
+                    parts: self.flap_order[slot],
+                };
                 let mut own = MovedLeaf {
                     points: self.surface.positions.as_chunks_mut::<3>().0,
                     parts: &self.parts,
@@ -437,9 +466,10 @@ impl Flight {
                     seen: &mut seen,
                 };
                 let other = neighbour.parted();
-                let outcome = push_off_leaf(&mut own, &other, placed, [side, scale], work);
+                let outcome = push_off_leaf(&mut own, &other, placed, order, work);
                 crosses |= outcome == Outcome::Crosses;
-                is_clear = outcome == Outcome::Clear;
+                is_clear = outcome <= Outcome::Covered;
+                is_covered |= outcome == Outcome::Covered;
             }
             is_resolved = are_parts_clear && (is_clear || neighbour.is_none());
             if is_resolved {
@@ -456,7 +486,7 @@ impl Flight {
             self.revision += 1;
             self.surface.update_normals();
         }
-        if let Some((neighbour, side)) = neighbour.filter(|_| is_clear && !crosses) {
+        if let Some((neighbour, side)) = neighbour.filter(|_| is_clear && !is_covered && !crosses) {
             let slot = usize::from(side == Side::Right);
             self.clear_of[slot] = Some([self.revision, neighbour.revision]);
         }

@@ -40,6 +40,7 @@ impl FoldedSheet {
     pub fn separate(&mut self, surface: &mut Surface, width: f32) {
         let work = &mut Work::new(u32::MAX);
         let within = (width / WIDTH, ROUNDS);
+        self.parts.forget();
         self.parts
             .separate_flaps(surface, &self.flaps, within, work);
     }

@@ -103,7 +103,8 @@ impl<'a> Mesh<'a> {
         }
     }
 
-    fn is_turned_over(&self, node: usize) -> bool {
+    /// Whether a node belongs to what is folded over.
+    pub fn is_turned_over(&self, node: usize) -> bool {
         CAN_CREASE && self.folds.turned_over.get(node) == Some(&true)
     }
 

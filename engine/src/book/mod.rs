@@ -14,6 +14,7 @@ mod crossing;
 mod draw;
 #[cfg(all(test, feature = "creases"))]
 mod drawn_folds_tests;
+mod flap_order;
 mod flight;
 mod flights;
 mod fold_out;

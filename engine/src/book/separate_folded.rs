@@ -7,6 +7,7 @@
 //! other, and edges that still go through a triangle are moved off it where they are deepest,
 //! which is where they pass its rim.
 
+use super::flap_order::FlapOrder;
 use super::separate_parts::{BLOCK, Block, DrawnParts, Slab};
 use super::tolerance::{NOT_UPON, ROOM_FROM_SPINE, SLACK, SLIVER};
 use super::triangle::Triangle;
@@ -30,6 +31,52 @@ pub struct PartedLeaf<'a> {
     pub parts: &'a DrawnParts,
     /// Its creases that are [shut](crate::flaps::Flaps::shut).
     pub shut: u16,
+}
+
+/// How two leaves lie to each other.
+#[derive(Clone, Copy, Debug)]
+pub struct Order {
+    /// 1 where the leaf that is moved lies on the recto's side of the other, or -1.
+    pub side: f32,
+    /// How much wider it is than a page of 0.14 m.
+    pub scale: f32,
+    /// How its parts lie upon those of the other.
+    pub parts: FlapOrder,
+}
+
+impl Order {
+    /// The same as seen from the other leaf.
+    fn reversed(self) -> Order {
+        Order {
+            side: -self.side,
+            parts: self.parts.reversed(),
+            ..self
+        }
+    }
+
+    /// Whether a block lies under one of the other leaf, where both lie open.
+    fn is_under(
+        self,
+        (leaf, block): (&PartedLeaf<'_>, usize),
+        (other, over): (&PartedLeaf<'_>, usize),
+    ) -> bool {
+        self.parts
+            .is_under(leaf.is_turned_over(block), other.is_turned_over(over))
+    }
+
+    /// On which side of the triangles of a block of another leaf a block lies, 1 that of their normals
+    /// or -1.
+    fn side_of(
+        self,
+        (leaf, block): (&PartedLeaf<'_>, usize),
+        (other, under): (&PartedLeaf<'_>, usize),
+    ) -> f32 {
+        if other.is_turned_over(under) != self.is_under((leaf, block), (other, under)) {
+            -self.side
+        } else {
+            self.side
+        }
+    }
 }
 
 /// Where the blocks of a leaf are.
@@ -78,14 +125,8 @@ impl PartedLeaf<'_> {
         box_around(corners.map(|node| self.points[*node]))
     }
 
-    /// 1 where the normals of a block's triangles point to the side to which the recto of what is
-    /// not folded over faces, or -1.
-    fn facing(&self, block: usize) -> f32 {
-        if is_turned_over(self.parts.blocks[block].part, self.shut) {
-            -1.0
-        } else {
-            1.0
-        }
+    fn is_turned_over(&self, block: usize) -> bool {
+        is_turned_over(self.parts.blocks[block].part, self.shut)
     }
 
     /// Whether every corner of a block is so far from the triangles in a slab, on a side.
@@ -246,29 +287,27 @@ impl MovedLeaf<'_> {
     }
 }
 
-/// Moves a leaf off another, once. `side` is 1 where it lies on the recto's side of the other, or
-/// -1; lengths are those of a page 0.14 m wide, and its own is wider by `scale`. Only what has
-/// moved since it was looked at last is looked at.
+/// Moves a leaf off another, once, in their order. Lengths are those of a page 0.14 m wide. Only what
+/// has moved since it was looked at last is looked at.
 pub fn push_off_leaf(
     own: &mut MovedLeaf<'_>,
     other: &PartedLeaf<'_>,
     placed: &mut PlacedBlocks,
-    [side, scale]: [f32; 2],
+    order: Order,
     work: &mut Work,
 ) -> Outcome {
     let has_moved = own.find_moved();
-    let [over, under] = find_pairs(
-        &own.parted(),
-        &has_moved,
-        other,
-        placed,
-        [side, scale],
-        work,
-    );
-    let mut outcome = Outcome::Clear;
+    let scale = order.scale;
+    let (over, under, has_covered) =
+        find_pairs(&own.parted(), &has_moved, other, placed, order, work);
+    let mut outcome = if has_covered {
+        Outcome::Covered
+    } else {
+        Outcome::Clear
+    };
     // Its points off the other's triangles.
     for pairs in over.chunk_by(|a, b| a[0] == b[0]) {
-        let found = deepest(&own.parted(), pairs, other, [side, scale], placed, work);
+        let found = deepest(&own.parted(), pairs, other, order, placed, work);
         for (node, found) in found {
             own.push([node], [1.0], found.normal, found.missing);
             outcome = Outcome::Moved;
@@ -277,8 +316,8 @@ pub fn push_off_leaf(
     // Its triangles off the other's points. What was pushed off one may be off the next.
     let mut own_placed = PlacedBlocks::of(&own.parted());
     for pairs in under.chunk_by(|a, b| a[0] == b[0]) {
-        let facing = [-side, scale];
-        let found = deepest(other, pairs, &own.parted(), facing, &mut own_placed, work);
+        let order = order.reversed();
+        let found = deepest(other, pairs, &own.parted(), order, &mut own_placed, work);
         for (node, found) in found {
             let place = other.points[node];
             let triangle = Triangle::of(own.at(found.corners), found.side);
@@ -294,7 +333,7 @@ pub fn push_off_leaf(
         if under.binary_search(&[other_block, block]).is_err() {
             continue;
         }
-        let facing = side * other.facing(other_block);
+        let facing = order.side_of((&own.parted(), block), (other, other_block));
         let slab = placed.slab(other, other_block);
         let bounds = own.parted().box_of(&own.parts.blocks[block]);
         if own.parted().is_clear_of(block, bounds, &slab, facing, 0.0) {
@@ -307,7 +346,9 @@ pub fn push_off_leaf(
             [facing, scale],
             work,
         ));
-        let facing = -side * own.parted().facing(block);
+        let facing = order
+            .reversed()
+            .side_of((other, other_block), (&own.parted(), block));
         outcome = outcome.max(push_edges_off(
             own,
             other,
@@ -324,6 +365,8 @@ pub fn push_off_leaf(
 pub enum Outcome {
     /// It goes through the other nowhere, and lies clear of it.
     Clear,
+    /// The same but for what lies under the other: that yields to it.
+    Covered,
     /// Some of it was moved.
     Moved,
     /// It goes through the other, and was never upon it there.
@@ -338,15 +381,18 @@ impl Outcome {
 }
 
 /// The blocks of a leaf whose points may be too low over a block of another, with that; and the
-/// blocks of the other with those of the leaf.
+/// blocks of the other with those of the leaf. Blocks that lie under one of the other are left out: it
+/// is that one which yields. Whether there are any comes last.
 fn find_pairs(
     own: &PartedLeaf<'_>,
     has_moved: &[bool],
     other: &PartedLeaf<'_>,
     placed: &mut PlacedBlocks,
-    [side, scale]: [f32; 2],
+    order: Order,
     work: &mut Work,
-) -> [Vec<[usize; 2]>; 2] {
+) -> (Vec<[usize; 2]>, Vec<[usize; 2]>, bool) {
+    let mut has_covered = false;
+    let scale = order.scale;
     let mut own_placed = PlacedBlocks::of(own);
     let [mut over, mut under] = [Vec::new(), Vec::new()];
     let (within, gap) = (NOT_UPON * scale, SLIVER * scale);
@@ -369,14 +415,18 @@ fn find_pairs(
             work.spend(POINT * CORNERS as u32);
             // What a plane parts is clear, from either side.
             let slab = placed.slab(other, other_block);
-            let facing = side * other.facing(other_block);
+            let facing = order.side_of((own, block), (other, other_block));
             if own.is_clear_of(block, bounds, &slab, facing, gap) {
                 continue;
             }
             let own_slab = own_placed.slab(own, block);
-            let facing = -side * own.facing(block);
+            let facing = order.reversed().side_of((other, other_block), (own, block));
             work.spend(POINT * CORNERS as u32);
             if other.is_clear_of(other_block, others, &own_slab, facing, gap) {
+                continue;
+            }
+            if order.is_under((own, block), (other, other_block)) {
+                has_covered = true;
                 continue;
             }
             if !placed.is_beside(bounds, other_block, &slab, scale) {
@@ -388,7 +438,7 @@ fn find_pairs(
         }
     }
     under.sort_unstable();
-    [over, under]
+    (over, under, has_covered)
 }
 
 /// How points of a block, the first of all these pairs, are too low over triangles of another leaf
@@ -398,17 +448,18 @@ fn deepest(
     leaf: &PartedLeaf<'_>,
     pairs: &[[usize; 2]],
     other: &PartedLeaf<'_>,
-    [side, scale]: [f32; 2],
+    order: Order,
     placed: &mut PlacedBlocks,
     work: &mut Work,
 ) -> Vec<(usize, Overlap)> {
+    let scale = order.scale;
     // By points and parts.
     let mut found: Vec<(usize, u16, Overlap)> = Vec::new();
     let own_points = leaf.parts.blocks[pairs[0][0]].own_points.clone();
     let nodes = &leaf.parts.own_points[own_points];
     let mut near = Vec::with_capacity(CORNERS);
-    for [_, block] in pairs {
-        let facing = side * other.facing(*block);
+    for [own, block] in pairs {
+        let facing = order.side_of((leaf, *own), (other, *block));
         let slab = placed.slab(other, *block);
         let is_near = |node: &usize| slab.distance_of(leaf.points[*node], facing) < SLIVER * scale;
         near.clear();
@@ -563,6 +614,12 @@ mod tests {
     const COLUMNS: usize = 9;
     const ROWS: usize = 7;
 
+    const ORDER: Order = Order {
+        side: 1.0,
+        scale: 1.0,
+        parts: FlapOrder::NONE,
+    };
+
     /// Points a centimetre apart, from a place on, at a height by column and row.
     fn points(from: [f32; 2], height: impl Fn(usize, usize) -> f32) -> Vec<[f32; 3]> {
         let place = |node: usize| {
@@ -585,7 +642,7 @@ mod tests {
                 shut: 0,
                 seen: &mut seen,
             };
-            found = push_off_leaf(leaf, other, &mut placed, [1.0; 2], &mut Work::new(u32::MAX));
+            found = push_off_leaf(leaf, other, &mut placed, ORDER, &mut Work::new(u32::MAX));
         }
         found
     }

@@ -47,6 +47,8 @@ pub struct DrawnParts {
     pub blocks: Vec<Block>,
     /// What the points of the blocks may overlap, of one after the other.
     pairs: Vec<Pair>,
+    /// Where the points were when they were looked at last; empty where they never were.
+    seen: Vec<[f32; 3]>,
     columns: usize,
     /// Whether any part is folded over more than once.
     has_overlap: bool,
@@ -87,6 +89,8 @@ pub struct Slab {
     pub normal: [f32; 3],
     low: f32,
     high: f32,
+    /// How far a point at most is along each axis from the triangle that it is one metre over.
+    lean: [f32; 3],
     /// Whether all triangles face along the normal. What is outside of the slab is then at least
     /// as far from each triangle that it is over.
     is_even: bool,
@@ -141,6 +145,16 @@ impl Slab {
             normal,
             low: low - beyond,
             high: high + beyond,
+            lean: normals.clone().fold([0.0; 3], |lean: [f32; 3], normal| {
+                let normal = unit(normal).map(f32::abs);
+                core::array::from_fn(|i| {
+                    if lean[i] > normal[i] {
+                        lean[i]
+                    } else {
+                        normal[i]
+                    }
+                })
+            }),
             is_even: normals.into_iter().all(|own| dot(own, normal) > 0.0),
         }
     }
@@ -272,6 +286,7 @@ impl DrawnParts {
             edges,
             blocks,
             pairs: Vec::new(),
+            seen: Vec::new(),
             columns,
         }
     }
@@ -293,6 +308,11 @@ impl DrawnParts {
         node.is_multiple_of(self.columns)
     }
 
+    /// Forgets where the points were, as other creases are folded, or otherwise.
+    pub fn forget(&mut self) {
+        self.seen.clear();
+    }
+
     /// Moves the drawn parts of a folded leaf off each other, to the sides to which they are folded,
     /// within a scale and so many rounds: see [`separate`](Self::separate).
     pub fn separate_flaps(
@@ -311,7 +331,7 @@ impl DrawnParts {
     /// work is left; returns whether any did in the last. `side` says on which side of a triangle of a
     /// part another lies, 1 that of its normal or -1, if the normals of both are along each other
     /// or not; None where it may lie on either. Lengths are those of a page 0.14 m wide; its own
-    /// is wider by `scale`.
+    /// is wider by `scale`. Only what has moved since it was looked at last is looked at.
     pub fn separate(
         &mut self,
         points: &mut [[f32; 3]],
@@ -324,10 +344,14 @@ impl DrawnParts {
             if round > 0 && work.is_spent() {
                 break;
             }
-            self.find_pairs(points, scale, &side);
+            moved = false;
+            let has_moved = self.find_moved(points);
+            if !has_moved.contains(&true) {
+                break;
+            }
+            self.find_pairs(points, scale, &has_moved, &side);
             let blocks = self.blocks.len() as u32;
             work.spend(BLOCKS * blocks * blocks + PAIR * self.pairs.len() as u32);
-            moved = false;
             for node in 0..self.points.len() {
                 let Some(home) = self.points[node] else {
                     continue;
@@ -365,11 +389,26 @@ impl DrawnParts {
         moved
     }
 
-    /// Finds which blocks may overlap each other where the points are now.
+    /// Whether any corner of each block has moved since it was looked at last; all that are now
+    /// count as looked at. What overlapped then was moved.
+    fn find_moved(&mut self, points: &[[f32; 3]]) -> Vec<bool> {
+        let has_moved = |node: &usize| self.seen.get(*node) != Some(&points[*node]);
+        let moved = self.blocks.iter().map(|block| {
+            let mut corners = self.corners[block.corners.clone()].iter();
+            corners.any(has_moved)
+        });
+        let moved = moved.collect();
+        self.seen.clear();
+        self.seen.extend_from_slice(points);
+        moved
+    }
+
+    /// Finds which blocks may overlap each other where the points are now, of which one has moved.
     fn find_pairs(
         &mut self,
         points: &[[f32; 3]],
         scale: f32,
+        has_moved: &[bool],
         side: &impl Fn(u16, u16, bool) -> Option<f32>,
     ) {
         for block in &mut self.blocks {
@@ -383,7 +422,10 @@ impl DrawnParts {
             } = self.blocks[home];
             let start = self.pairs.len();
             for (under, block) in self.blocks.iter_mut().enumerate() {
-                if block.part == part || !block.is_near([low, high], NOT_UPON * scale) {
+                if block.part == part
+                    || !(has_moved[home] || has_moved[under])
+                    || !block.is_near([low, high], NOT_UPON * scale)
+                {
                     continue;
                 }
                 let [own, other] = [part, block.part].map(|part| facing_of(&facing, part));
@@ -446,7 +488,16 @@ impl DrawnParts {
 
 /// Whether anything in a box may be too low over triangles of a block, or in them.
 fn may_overlap(block: &Block, bounds: [[f32; 3]; 2], side: f32, scale: f32) -> bool {
-    let is_clear = |slab: &Slab| slab.distance(bounds, side) > (OVER_PILE - SLACK) * scale;
+    let [low, high] = bounds;
+    let is_clear = |slab: &Slab| {
+        let is_beside = (0..3).any(|i| {
+            // A corner's weight is up to twice as much beyond 1 as the others' are below 0.
+            let beyond = 2.0 * BESIDE * (block.high[i] - block.low[i]);
+            let within = NOT_UPON * scale * slab.lean[i] + OVER_PILE * scale + beyond;
+            low[i] > block.high[i] + within || high[i] < block.low[i] - within
+        });
+        is_beside || slab.distance(bounds, side) > (OVER_PILE - SLACK) * scale
+    };
     block.is_near(bounds, NOT_UPON * scale) && !block.slab.as_ref().is_some_and(is_clear)
 }
 
@@ -530,6 +581,19 @@ pub(super) mod tests {
             let [low, _] = heights(&points, 5..9);
             assert!(low > 0.5 * OVER_PILE, "{low} from {over}");
         }
+    }
+
+    #[test]
+    fn what_has_not_moved_is_not_looked_at_again() {
+        let (mut points, mut parts) = folded(0.0);
+        let upon = |_, _, _| Some(1.0);
+        assert!(!parts.separate(&mut points, (1.0, ROUNDS), upon, &mut unbounded()));
+        let mut work = unbounded();
+        parts.separate(&mut points, (1.0, ROUNDS), upon, &mut work);
+        assert_eq!(work.done(), 0);
+        parts.forget();
+        parts.separate(&mut points, (1.0, ROUNDS), upon, &mut work);
+        assert!(work.done() > 0);
     }
 
     #[test]

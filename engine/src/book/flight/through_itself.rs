@@ -69,6 +69,7 @@ impl Flight {
         let within = (self.scale(), ROUNDS);
         if let Some(flaps) = self.leaf.flaps() {
             let spare = &mut self.spare;
+            self.parts.forget();
             self.parts.separate_flaps(spare, flaps, within, work);
         }
         self.spare.update_normals();
