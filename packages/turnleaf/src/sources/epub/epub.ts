@@ -183,7 +183,7 @@ async function readEpub(archive: Archive, file: Blob, name: string): Promise<Flo
     ? null
     : await coverOf(isReadable ? first : null, picture, files, (path) => archive.size(path));
   if (cover && !cover.isFirst) {
-    const about = { missing: "", isAside: false, side: undefined, flow: "" };
+    const about = { missing: "", isAside: false, side: undefined, flow: "", page: 0 };
     ordered.unshift({ id: "", ...cover.chapter, ...about });
   }
   const rolls = rollsOf(ordered);
