@@ -91,7 +91,7 @@ impl Flap {
         };
         let nodes = (0..leaf.points.len()).filter(|node| leaf.is_turned_over(*node));
         let is_cell = |node: &usize| {
-            (node + 1) % leaf.columns != 0 && node + leaf.columns < leaf.points.len()
+            !(node + 1).is_multiple_of(leaf.columns) && node + leaf.columns < leaf.points.len()
         };
         let triangles = (0..leaf.points.len())
             .filter(is_cell)

@@ -361,7 +361,7 @@ test("a leporello opens panel by panel, by command and by a pull, shuts and turn
   expect(await seen()).toEqual([5, 30, 34]);
   await element.foldIn();
   expect(await seen()).toEqual([5, 34]);
-  // It is drawn in panels, which takes the browser a while, before the hand has it and the eye steps back.
+  // It is drawn in panels, which takes the browser a while, before the pointer has it and the eye steps back.
   await drag(element, [0.66, 0.55], [0.97, 0.55], 40, () => element.foldOut === "open");
   expect(await seen()).toEqual([5, 30, 34]);
   expect([element.page, element.state, element.foldOut]).toEqual([4, "resting", "open"]);

@@ -209,7 +209,10 @@ fn its_edge_goes_as_far_as_the_hand_has_since_it_first_pulled() {
             }
             flap.fold_angles()[0]
         });
-        assert!(ends[0] < FRAC_PI_2 && ends[1] > FRAC_PI_2, "{side:?} {ends:?}");
+        assert!(
+            ends[0] < FRAC_PI_2 && ends[1] > FRAC_PI_2,
+            "{side:?} {ends:?}"
+        );
     }
 }
 

@@ -200,7 +200,7 @@ test("where nothing helps, as on a screen that is held to 30 frames, nothing is 
   expect(governor.quality.pixels).toBeLessThan(1);
 });
 
-test("the time between two movements is told once, at the first frame of the second", () => {
+test("the time between two movements is counted once, at the first frame of the second", () => {
   const ticks = new TickCounter(tick);
   expect(ticks.rested(500)).toBe(0);
   ticks.count(1000);

@@ -37,7 +37,7 @@ a { color: inherit; }
 const textElements =
   "html, body, div, section, article, p, li, dd, dt, blockquote, td, th, span, em, i, strong, b, a, small";
 
-/** Returns a typeface as CSS has it, with what stands in for letters that it lacks. */
+/** Returns a typeface as CSS has it, with what stands in for letters that are missing in it. */
 export function stackOf(font: Exclude<Typography["font"], "">): string {
   return isTypeface(font) ? `${familyOf(font)}, sans-serif` : font;
 }
