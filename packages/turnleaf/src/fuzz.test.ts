@@ -87,7 +87,15 @@ describe("mutated places in the browser's storage", () => {
         }
         expect(kept.bookmarks.every((page) => Number.isInteger(page) && page >= 1)).toBe(true);
       }
-      savePlace("a", { page: 5, zoom: 2, bookmarks: [1], shifts: [3], folds: [], pageFolds: [] });
+      savePlace("a", {
+        page: 5,
+        zoom: 2,
+        bookmarks: [1],
+        shifts: [3],
+        folds: [],
+        pageFolds: [],
+        seen: {},
+      });
       expect(loadPlace("a"), clue(before)).toEqual({
         page: 5,
         zoom: 2,
@@ -95,6 +103,7 @@ describe("mutated places in the browser's storage", () => {
         shifts: [3],
         folds: [],
         pageFolds: [],
+        seen: {},
       });
     },
   );

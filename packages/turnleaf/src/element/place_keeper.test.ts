@@ -20,15 +20,31 @@ function storage(text: string | null = null): { text: string | null } {
 it("keeps a book's place and gives it back", () => {
   storage();
   expect(loadPlace("a")).toBe(null);
-  savePlace("a", { page: 7, zoom: 1.5, bookmarks: [2, 9], shifts: [4], folds: [], pageFolds: [] });
+  savePlace("a", {
+    page: 7,
+    zoom: 1.5,
+    bookmarks: [2, 9],
+    shifts: [4],
+    folds: [],
+    pageFolds: [],
+    seen: {},
+  });
   savePlace("c", {
     ...{ page: 3, zoom: 1, bookmarks: [], shifts: [] },
     folds: [],
     pageFolds: [],
-    tilt: "6",
+    seen: { tilt: "6", theme: "night", class: "x" },
   });
-  expect(loadPlace("c")?.tilt).toBe("6");
-  savePlace("b", { page: 3, zoom: 1, bookmarks: [], shifts: [], folds: [], pageFolds: [] });
+  expect(loadPlace("c")?.seen).toEqual({ tilt: "6", theme: "night" });
+  savePlace("b", {
+    page: 3,
+    zoom: 1,
+    bookmarks: [],
+    shifts: [],
+    folds: [],
+    pageFolds: [],
+    seen: {},
+  });
   expect(loadPlace("a")).toEqual({
     page: 7,
     zoom: 1.5,
@@ -36,8 +52,17 @@ it("keeps a book's place and gives it back", () => {
     shifts: [4],
     folds: [],
     pageFolds: [],
+    seen: {},
   });
-  savePlace("a", { page: 8, zoom: 1, bookmarks: [], shifts: [], folds: [], pageFolds: [] });
+  savePlace("a", {
+    page: 8,
+    zoom: 1,
+    bookmarks: [],
+    shifts: [],
+    folds: [],
+    pageFolds: [],
+    seen: {},
+  });
   expect(loadPlace("a")).toEqual({
     page: 8,
     zoom: 1,
@@ -45,6 +70,7 @@ it("keeps a book's place and gives it back", () => {
     shifts: [],
     folds: [],
     pageFolds: [],
+    seen: {},
   });
   expect(loadPlace("b")?.page).toBe(3);
 });
@@ -52,7 +78,15 @@ it("keeps a book's place and gives it back", () => {
 it("keeps a hundred books, the last read", () => {
   const held = storage();
   for (let i = 1; i <= 150; i++)
-    savePlace(`${i}`, { page: i, zoom: 1, bookmarks: [], shifts: [], folds: [], pageFolds: [] });
+    savePlace(`${i}`, {
+      page: i,
+      zoom: 1,
+      bookmarks: [],
+      shifts: [],
+      folds: [],
+      pageFolds: [],
+      seen: {},
+    });
   expect(loadPlace("50")).toBe(null);
   expect(loadPlace("51")?.page).toBe(51);
   expect(JSON.parse(held.text ?? "").length).toBe(100);
@@ -81,14 +115,30 @@ it("takes nothing from a storage that somebody else wrote", () => {
   ];
   for (const [row, page, zoom, bookmarks] of rows) {
     storage(`[${row}]`);
-    expect(loadPlace("a")).toEqual({ page, zoom, bookmarks, shifts: [], folds: [], pageFolds: [] });
+    expect(loadPlace("a")).toEqual({
+      page,
+      zoom,
+      bookmarks,
+      shifts: [],
+      folds: [],
+      pageFolds: [],
+      seen: {},
+    });
   }
 });
 
 it("keeps the folds of pages, and takes none that another code wrote wrong", () => {
   const held = storage();
   const fold = { page: 5, from: { x: 0.4, y: 0 }, to: { x: 0.5, y: 1 }, angle: -160 };
-  const place = { page: 1, zoom: 1, bookmarks: [], shifts: [], folds: [], pageFolds: [fold] };
+  const place = {
+    page: 1,
+    zoom: 1,
+    bookmarks: [],
+    shifts: [],
+    folds: [],
+    pageFolds: [fold],
+    seen: {},
+  };
   savePlace("a", place);
   expect(loadPlace("a")).toEqual(place);
   const rows = [
@@ -110,7 +160,7 @@ it("keeps the folds of pages, and takes none that another code wrote wrong", () 
 });
 
 it("lives without a storage, and with one that is full", () => {
-  const kept = { page: 1, zoom: 1, bookmarks: [], shifts: [], folds: [], pageFolds: [] };
+  const kept = { page: 1, zoom: 1, bookmarks: [], shifts: [], folds: [], pageFolds: [], seen: {} };
   expect(() => savePlace("a", kept)).not.toThrow();
   expect(loadPlace("a")).toBe(null);
   vi.stubGlobal("localStorage", {

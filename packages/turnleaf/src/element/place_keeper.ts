@@ -13,6 +13,7 @@ import type { Typography } from "../sources/page_source.ts";
 import { cleanDogEars, cleanFolds } from "./fold_lists.ts";
 import type { PageLists } from "./page_lists.ts";
 import { cleanPages, isPage } from "./page_numbers.ts";
+import { themeAttributes } from "./page_theme.ts";
 import { typographyAttributes } from "./typography.ts";
 
 /** The element, as far as its place is kept. */
@@ -125,7 +126,7 @@ export class PlaceKeeper {
     this.#addresses.set(source, src);
     const isKept = this.#book.hasAttribute("remember");
     const kept = isKept ? loadPlace(this.#name(source)) : null;
-    if (kept?.tilt && !this.#book.hasAttribute("tilt")) this.#book.setAttribute("tilt", kept.tilt);
+    this.#say(kept?.seen ?? {});
     if (!source.findAnchors) return null;
     const { anchors = [], typography: said = {} } = kept?.text ?? {};
     const asked = this.#asked;
@@ -133,13 +134,7 @@ export class PlaceKeeper {
     const isSamePage = asked === null || asked === kept?.page;
     const at = this.#askedText ?? (isSamePage ? anchors[0] : undefined);
     try {
-      let isChanged = false;
-      for (const [name, value] of Object.entries(said)) {
-        if (this.#book.hasAttribute(name)) continue;
-        this.#book.setAttribute(name, value);
-        isChanged = true;
-      }
-      if (isChanged) await source.typeset?.(typography());
+      if (this.#say(said)) await source.typeset?.(typography());
       const wanted = [at ?? "", left ?? "", ...anchors.slice(1)];
       const [index = null, leftAt = null, ...marks] = await source.findAnchors(wanted);
       const ofFolds = marks.splice(kept?.bookmarks.length ?? 0);
@@ -159,6 +154,13 @@ export class PlaceKeeper {
       // What is wrong with the book is said when it is shown.
       return null;
     }
+  }
+
+  /** Sets attributes that the element does not have. Returns whether there are any. */
+  #say(attributes: Readonly<Record<string, string>>): boolean {
+    const missing = Object.entries(attributes).filter(([name]) => !this.#book.hasAttribute(name));
+    for (const [name, value] of missing) this.#book.setAttribute(name, value);
+    return missing.length > 0;
   }
 
   /** Turns to where the address leads that the reader has gone to, as by the browser's Back. */
@@ -227,19 +229,18 @@ export class PlaceKeeper {
     const { first } = source;
     const pages = [page, ...bookmarks, ...pageFolds.map((fold) => fold.page)];
     const anchors = first.anchor && pages.map((one) => first.anchor?.(one - 1) ?? "");
-    const text = anchors ? { text: { anchors, typography: this.#typography() } } : {};
+    const text = anchors ? { text: { anchors, typography: this.#said(typographyAttributes) } } : {};
     const folds = dogEars.map(
       ({ page, corner, size }): Fold => [bookmarks.indexOf(page), corner === "head" ? 1 : 0, size],
     );
-    const tilt = this.#book.getAttribute("tilt");
-    const seen = tilt === null ? {} : { tilt };
-    const place = { page, zoom, bookmarks, shifts, folds, pageFolds, ...seen, ...text };
+    const seen = this.#said(seenAttributes);
+    const place = { page, zoom, bookmarks, shifts, folds, pageFolds, seen, ...text };
     savePlace(this.#name(source), place);
   }
 
-  /** Returns the attributes that say how text is set, and their values. */
-  #typography(): Record<string, string> {
-    const said = typographyAttributes.map((name) => [name, this.#book.getAttribute(name) ?? ""]);
+  /** Returns those of some attributes that the element has, and their values. */
+  #said(names: readonly string[]): Record<string, string> {
+    const said = names.map((name) => [name, this.#book.getAttribute(name) ?? ""]);
     return Object.fromEntries(said.filter(([, value]) => value !== ""));
   }
 
@@ -283,8 +284,8 @@ export interface SavedPlace {
   readonly folds: readonly Fold[];
   /** The folds of pages besides their corners. */
   readonly pageFolds: readonly PageFold[];
-  /** The attribute that says how far the eye leans back, if there is one. */
-  readonly tilt?: string;
+  /** The attributes that say how it is seen. */
+  readonly seen: Readonly<Record<string, string>>;
   /** Of flowing text, whose pages change with its size. */
   readonly text?: {
     /** The anchor of the page, those of the bookmarks, and those of the folds' pages. */
@@ -293,6 +294,9 @@ export interface SavedPlace {
     readonly typography: Readonly<Record<string, string>>;
   };
 }
+
+/** The attributes that say from where a book is seen, and in which colours. */
+const seenAttributes = ["tilt", ...themeAttributes] as const;
 
 /** Everything is under one key, the last book read first. */
 const key = "turnleaf";
@@ -309,7 +313,7 @@ const longestStore = 400_000;
 export function loadPlace(name: string): SavedPlace | null {
   const found = read().find(([other]) => other === short(name));
   if (found === undefined) return null;
-  const [, page, zoom, bookmarks, shifts, text, folds, pageFolds, tilt] = found;
+  const [, page, zoom, bookmarks, shifts, text, folds, pageFolds, seen] = found;
   return {
     page: isPage(page) ? page : 1,
     zoom: typeof zoom === "number" && zoom >= 1 && zoom <= 8 ? zoom : 1,
@@ -319,7 +323,7 @@ export function loadPlace(name: string): SavedPlace | null {
     pageFolds: cleanFolds(
       Array.isArray(pageFolds) ? pageFolds.slice(0, mostFolds).map(foldOf) : [],
     ),
-    ...(typeof tilt === "string" && tilt !== "" ? { tilt: tilt.slice(0, longestValue) } : {}),
+    seen: cleanAttributes(seenAttributes, seen),
     ...cleanText(text),
   };
 }
@@ -352,17 +356,24 @@ function cleanText(text: unknown): Pick<SavedPlace, "text"> {
   if (!Array.isArray(text)) return {};
   const [anchors, said] = text;
   if (!Array.isArray(anchors) || !anchors.every((one) => typeof one === "string")) return {};
-  const typography: Record<string, string> = {};
-  for (const name of typographyAttributes) {
-    const value: unknown = said?.[name];
-    if (typeof value === "string") typography[name] = value.slice(0, longestValue);
-  }
+  const typography = cleanAttributes(typographyAttributes, said);
   return { text: { anchors: anchors.slice(0, mostAnchors), typography } };
+}
+
+/** Returns what is kept of some attributes, likewise. */
+function cleanAttributes(names: readonly string[], kept: unknown): Record<string, string> {
+  const values = Object(kept) as Record<string, unknown>;
+  const said = names.map((name) => [name, values[name]] as const);
+  return Object.fromEntries(
+    said.flatMap(([name, value]) =>
+      typeof value === "string" ? [[name, value.slice(0, longestValue)]] : [],
+    ),
+  );
 }
 
 /** Keeps a book; the one read longest ago is dropped. */
 export function savePlace(name: string, place: SavedPlace): void {
-  const { page, zoom, bookmarks, shifts, folds, pageFolds, text, tilt = "" } = place;
+  const { page, zoom, bookmarks, shifts, folds, pageFolds, text, seen } = place;
   const others = read().filter(([other]) => other !== short(name));
   const row: unknown[] = [short(name), page, Math.round(zoom * 100) / 100, bookmarks, shifts];
   const rows = pageFolds.map(({ page, from, to, angle }) => [
@@ -373,10 +384,11 @@ export function savePlace(name: string, place: SavedPlace): void {
     to.y,
     angle,
   ]);
-  const hasMore = folds.length > 0 || rows.length > 0 || tilt !== "";
+  const isSeen = Object.keys(seen).length > 0;
+  const hasMore = folds.length > 0 || rows.length > 0 || isSeen;
   if (text || hasMore) row.push(text ? [text.anchors, text.typography] : null);
   if (hasMore) row.push(folds, rows);
-  if (tilt !== "") row.push(tilt);
+  if (isSeen) row.push(seen);
   const all = [row, ...others];
   try {
     localStorage.setItem(key, JSON.stringify(all.slice(0, mostBooks)));
@@ -385,7 +397,7 @@ export function savePlace(name: string, place: SavedPlace): void {
   }
 }
 
-/** Returns rows of name, page, zoom, bookmarks, shifts, text, folded corners, folds and tilt (if any); only the name is checked. */
+/** Returns rows of name, page, zoom, bookmarks, shifts, text, folded corners, folds and how it is seen (if any); only the name is checked. */
 function read(): [string, ...unknown[]][] {
   try {
     const text = localStorage.getItem(key) ?? "";

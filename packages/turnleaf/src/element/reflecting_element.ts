@@ -555,7 +555,7 @@ export class ReflectingElement extends Base {
   }
 
   /**
-   * Whether page, zoom, bookmarks and the choices of type are kept over a
+   * Whether page, zoom, bookmarks and the choices of type and theme are kept over a
    * reload, in the browser's local storage.
    * @attribute remember
    * @default off
