@@ -105,9 +105,10 @@ describe("a PDF", () => {
   const red = "1 0 0 rg 0 0 200 300 re f";
   const article = "0 0 0 rg 40 40 120 220 re f";
 
-  test("whose first page bleeds on all sides has a cover", async () => {
+  test("whose first page bleeds on all sides is a whole book, its pages on the boards too", async () => {
     const source = await open(tinyPdf({ pages: [red, article, article] }), "a.pdf");
-    expect(source.cover).toBe("picture");
+    expect(source.cover).toBe(undefined);
+    expect([0, 1].map((index) => source.colouring?.(index))).toEqual(["picture", "print"]);
   });
 
   test("whose first page has margins is a document", async () => {

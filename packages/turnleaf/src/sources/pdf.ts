@@ -279,8 +279,11 @@ class PdfSource implements PageSource {
   readonly openingPage: number;
   readonly allows: { readonly print: boolean; readonly copy: boolean };
   readonly kind = "typeset";
-  /** Without a cover it is an article, a form, a letter: a document without boards. */
-  cover: "picture" | "none" = "none";
+  /**
+   * Without a cover it is an article, a form, a letter: a document without boards. With one it is a whole
+   * book, whose second page is on the back of the cover: its even pages are versos.
+   */
+  cover: "none" | undefined = "none";
   readonly #thread: PdfThread;
   readonly #name: string;
   readonly #document: PDFDocumentProxy;
@@ -321,11 +324,15 @@ class PdfSource implements PageSource {
       pen?.drawImage(small, 0, 0);
       small.close();
       const pixels = pen?.getImageData(0, 0, width, height).data;
-      if (pixels && isCover({ width, height }, pixels)) this.cover = "picture";
+      if (pixels && isCover({ width, height }, pixels)) this.cover = undefined;
     } catch {
       // A page that cannot be drawn says so in its place.
       signal.throwIfAborted();
     }
+  }
+
+  colouring(index: number): "print" | "picture" {
+    return index === 0 && this.cover === undefined ? "picture" : "print";
   }
 
   get warnings(): readonly BookWarning[] {
