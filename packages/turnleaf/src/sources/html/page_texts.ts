@@ -40,8 +40,10 @@ function runsIn(page: HTMLElement, locate: Locate): TextRun[] {
   for (let node = walker.nextNode(); node && runs.length < limits.runs; node = walker.nextNode()) {
     const value = node.nodeValue ?? "";
     if (value.trim() === "" || node.parentElement?.closest("script, style, textarea")) continue;
+    const { writingMode = "" } = node.parentElement ? getComputedStyle(node.parentElement) : {};
+    const isVertical = /^(vertical|sideways)/.test(writingMode);
     for (const { from, to, bounds } of linesOf(value, (...word) =>
-      boundsOf(range, node, locate, ...word),
+      boundsOf(range, [node, isVertical], locate, ...word),
     )) {
       const text = cleanRun(value.slice(from, to)).replace(/\s+/g, " ");
       const { left: x, top: y, right, bottom } = bounds;
@@ -60,12 +62,12 @@ function runsIn(page: HTMLElement, locate: Locate): TextRun[] {
 /**
  * Returns where a word of a node lies on its page; null if it is not shown. The browser says where
  * things are by upright boxes around them: those of a turned word are too large, but have its middle,
- * and that of the caret at its end is a line from corner to corner. The word is the same on both sides
+ * and that of the caret at its end, upright or, in vertical lines, level, is a line from corner to corner. The word is the same on both sides
  * of its middle.
  */
 function boundsOf(
   range: Range,
-  node: Node,
+  [node, isVertical]: readonly [node: Node, isVertical: boolean],
   locate: Locate,
   from: number,
   to: number,
@@ -77,7 +79,7 @@ function boundsOf(
   range.collapse();
   const caret = range.getBoundingClientRect();
   const middle = locate(word.left + word.width / 2, word.top + word.height / 2);
-  const end = lineIn(caret.width > 0 || caret.height > 0 ? caret : word, locate);
+  const end = lineIn(caret.width > 0 || caret.height > 0 ? caret : word, isVertical, locate);
   if (!middle || !end) return null;
   const xs = end.flatMap(({ x }) => [x, 2 * middle.x - x]);
   const ys = end.flatMap(({ y }) => [y, 2 * middle.y - y]);
@@ -85,14 +87,15 @@ function boundsOf(
   return { left, top, right: Math.max(...xs), bottom: Math.max(...ys) };
 }
 
-/** Returns the diagonal of a box that is upright or level on the page, or nearest to that. */
-function lineIn({ left, top, right, bottom }: DOMRect, locate: Locate) {
+/** Returns the diagonal of a box that is upright on the page, or level, or nearest to that. */
+function lineIn({ left, top, right, bottom }: DOMRect, isLevel: boolean, locate: Locate) {
   const diagonals = [
     [locate(left, top), locate(right, bottom)],
     [locate(right, top), locate(left, bottom)],
   ].flatMap(([from, to]) => (from && to ? [[from, to] as const] : []));
+  // Of a page that is turned by 45 degrees one is upright, and the other level.
   const slant = ([from, to]: (typeof diagonals)[number]): number =>
-    Math.min(Math.abs(to.x - from.x), Math.abs(to.y - from.y));
+    Math.abs(isLevel ? to.y - from.y : to.x - from.x);
   return diagonals.sort((a, b) => slant(a) - slant(b))[0];
 }
 

@@ -55,7 +55,9 @@ export class Edition {
     this.#contents = contents;
     this.#warnings = warnings;
     this.#lengths = lengths;
-    this.typography = typography;
+    // A roll is as wide as its window, which is not known here: it is set as a paperback.
+    const isRolled = book.sections.some(({ roll }) => roll !== undefined);
+    this.typography = isRolled ? { ...typography, width: 0 } : typography;
   }
 
   /** Returns what is known of a section; undefined before it has been laid out. */
