@@ -19,7 +19,7 @@ import {
 import { altOfPage } from "./pdf_alt.ts";
 import { linksOfPage, PdfForm } from "./pdf_annotations.ts";
 import { type PdfInput, place } from "./pdf_bytes.ts";
-import { coverPixels, isCover } from "./pdf_cover.ts";
+import { coverPixels, coverTime, isCover } from "./pdf_cover.ts";
 import { lettersOfPage } from "./pdf_letters.ts";
 import { bareMarksOf, drawMarks, notesOfPage, playedOnPage } from "./pdf_marks.ts";
 import { rejectPortfolio } from "./pdf_portfolio.ts";
@@ -313,12 +313,16 @@ class PdfSource implements PageSource {
     this.#stop = stop;
   }
 
-  /** Looks whether the first page is a cover, at the cost of a small picture of it. Rejects with the signal's reason. */
+  /**
+   * Looks whether the first page is a cover, at the cost of a small picture of it; one that takes longer
+   * than a reader waits for a book to open is none. Rejects with the signal's reason.
+   */
   async findCover(signal: AbortSignal): Promise<void> {
     if (this.pageCount < 2) return;
+    const inTime = AbortSignal.any([signal, AbortSignal.timeout(coverTime)]);
     try {
-      const page = await this.#page(0, signal);
-      const small = await this.#render(page, 0, coverPixels, wholePage, signal);
+      const page = await this.#page(0, inTime);
+      const small = await this.#render(page, 0, coverPixels, wholePage, inTime);
       const { width, height } = small;
       const pen = new OffscreenCanvas(width, height).getContext("2d");
       pen?.drawImage(small, 0, 0);
