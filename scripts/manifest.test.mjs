@@ -28,7 +28,7 @@ test("every attribute, event and part is in it, and in the data of both editors"
   expect(tag.name).toBe("turnleaf-book");
   expect(names(tag.attributes).sort()).toEqual(names(element.attributes).sort());
   const cover = tag.attributes.find(({ name }) => name === "cover");
-  expect(names(cover.values)).toEqual(["hard", "soft", "none"]);
+  expect(names(cover.values)).toEqual(["auto", "hard", "soft", "none"]);
   const webTypes = JSON.parse(files["web-types.json"]);
   expect(webTypes.name).toBe("turnleaf");
   const [web] = webTypes.contributions.html.elements;

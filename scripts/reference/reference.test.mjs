@@ -10,6 +10,7 @@ const wordings = readWordings();
 function bare() {
   const has = new Map();
   const element = Object.create(TurnleafBook.prototype, {
+    ownerDocument: { value: { defaultView: null } },
     getAttribute: { value: (name) => has.get(name) ?? null },
     hasAttribute: { value: (name) => has.has(name) },
     setAttribute: { value: (name, value) => has.set(name, String(value)) },
@@ -33,7 +34,8 @@ test("an element without attributes is as the reference says", () => {
 test("a property says its attribute, and what it is set to comes back, as frameworks rely on", () => {
   for (const { name, attribute, choice, type } of reflected) {
     // A number that the attribute accepts: all but these take more than 1.
-    const number = { shadows: 0.75, margin: 0.125 }[name] ?? 1.25;
+    const number =
+      { shadows: 0.75, margin: 0.125, letterSpacing: 0.5, wordSpacing: 0.5 }[name] ?? 1.25;
     const values = { boolean: [true, false], number: [number], string: ["2-3"] }[type];
     for (const value of values ?? choice.map((word) => (/^\d$/.test(word) ? Number(word) : word))) {
       const { element, has } = bare();

@@ -32,7 +32,7 @@ beforeAll(async () => {
       ? `<!doctype html><style>${style}</style>
          <script type="importmap">{"imports":{"three":"/three/three.module.js"}}</script>
          <script type="module" src="/turnleaf/index.js"></script>
-         <turnleaf-book src="book.txt" page="10"></turnleaf-book>`
+         <turnleaf-book src="book.txt" page="10" cover="hard"></turnleaf-book>`
       : path === "/book.txt"
         ? text
         : path === "/plain.html"

@@ -12,6 +12,7 @@ async function doubling() {
   let announce: (change: () => NewIndex) => void = () => {};
   const changing: PageSource = Object.create(source, {
     pageCount: { get: () => (state.isDouble ? 24 : 12) },
+    warnings: { value: source.warnings },
     watchPages: { value: (listener: typeof announce) => (announce = listener) },
   });
   for (const name of [
@@ -24,6 +25,7 @@ async function doubling() {
     "links",
     "alt",
     "outline",
+    "watchWarnings",
     "close",
   ] as const) {
     Object.defineProperty(changing, name, { value: (source[name] as () => void).bind(source) });

@@ -112,7 +112,7 @@ export class TurnleafBook extends ReaderElement {
   /** The width for which the open book's text is set. */
   readonly #setWidth: SetWidth = new SetWidth(
     () => (this.canTypeset ? (this.#viewer?.pageWidth ?? 0) : 0),
-    () => void this.#typeset(),
+    () => this.#typeset(),
   );
   readonly #controls = new ControlsLoader((error) => this.#reportMissingPart(error));
   readonly #soundAndHaptics = new SoundAndHaptics(
@@ -218,9 +218,9 @@ export class TurnleafBook extends ReaderElement {
     if (asked !== this.#reported) void this.goTo(asked);
   }
 
-  /** Whether the visible pages are at full sharpness and nothing moves. */
+  /** Whether the visible pages are at full sharpness, set for the size in which they are shown, and nothing moves. */
   get settled(): boolean {
-    return this.#viewer?.settled ?? false;
+    return !this.#setWidth.isPending && (this.#viewer?.settled ?? false);
   }
 
   /**
@@ -229,7 +229,7 @@ export class TurnleafBook extends ReaderElement {
    * loaded.
    */
   get ready(): boolean {
-    return this.#loadingTears === 0 && (this.#viewer?.ready ?? false);
+    return this.settled && this.#loadingTears === 0 && (this.#viewer?.ready ?? false);
   }
 
   /**

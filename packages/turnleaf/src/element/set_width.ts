@@ -45,16 +45,23 @@ export class SetWidth {
   /** The width for which text is set, CSS pixels; 0 if it is unknown. */
   width = 0;
   readonly #shown: () => number;
-  readonly #changed: () => void;
+  readonly #changed: () => Promise<void>;
   #timer: ReturnType<typeof setTimeout> | undefined;
+  /** How many widths text is being set for. */
+  #setting = 0;
 
   /**
    * @param shown returns how wide pages are shown; 0 while that is unknown
-   * @param changed called once `width` is another
+   * @param changed called once `width` is another; resolves once text is set for it
    */
-  constructor(shown: () => number, changed: () => void) {
+  constructor(shown: () => number, changed: () => Promise<void>) {
     this.#shown = shown;
     this.#changed = changed;
+  }
+
+  /** Whether text is about to be set for another width. */
+  get isPending(): boolean {
+    return this.#timer !== undefined || this.#setting > 0;
   }
 
   /** Call it when pages may be shown in another size. */
@@ -62,15 +69,18 @@ export class SetWidth {
     this.stop();
     if (this.#suits()) return;
     this.#timer = setTimeout(() => {
+      this.#timer = undefined;
       if (this.#suits()) return;
       this.width = this.#shown();
-      this.#changed();
+      this.#setting++;
+      void this.#changed().finally(() => this.#setting--);
     }, settling);
   }
 
   /** Call it when the book closes. */
   stop(): void {
     clearTimeout(this.#timer);
+    this.#timer = undefined;
   }
 
   #suits(): boolean {

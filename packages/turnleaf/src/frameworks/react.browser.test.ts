@@ -64,7 +64,7 @@ test("properties, listeners and the ref are the element's", async () => {
   // Others in place of them; what is no longer given is as it was.
   book({ pages: scans(8), offset: 0, layout: "single", "aria-label": "A book" });
   await eventually(() => theBook().layout).toBe("single");
-  expect([theBook().cover, theBook().sound, theBook().assist]).toEqual(["hard", false, true]);
+  expect([theBook().cover, theBook().sound, theBook().assist]).toEqual(["auto", false, true]);
   expect(theBook().ariaLabel).toBe("A book");
   expect(await ref.current?.next()).toBe(true);
   expect(said.length).toBe(3);
