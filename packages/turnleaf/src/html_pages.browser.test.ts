@@ -371,7 +371,10 @@ test("what is written on a page is found where it stands, however the book aroun
     "zoom: 1.4",
   ]) {
     const runs = await runsIn(style);
-    expect(runs.map((run) => run.text), style).toEqual(upright.map((run) => run.text));
+    expect(
+      runs.map((run) => run.text),
+      style,
+    ).toEqual(upright.map((run) => run.text));
     for (const [k, run] of runs.entries()) {
       for (const at of ["x", "y", "width", "height"] as const) {
         expect(Math.abs(run[at] - upright[k][at]), `${style}: ${at} of ${run.text}`).toBeLessThan(
