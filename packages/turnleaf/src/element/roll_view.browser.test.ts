@@ -20,7 +20,9 @@ const sheetsOf = (element: TurnleafBook): HTMLElement[] => [
 async function opened(epub: TinyEpub, attributes: Record<string, string> = {}) {
   const element = book(tinyEpub(epub), attributes);
   element.style.cssText = "width: 500px; height: 300px";
-  await happens(element, "pageschange");
+  await happens(element, "load");
+  // Not by an event: where the estimate is right, no page comes or goes.
+  await eventually(() => element.estimated).toBe(false);
   await settled(element);
   await eventually(() => rollOf(element).querySelectorAll("canvas").length).toBeGreaterThan(0);
   return element;
