@@ -1,6 +1,5 @@
 /** `<turnleaf-book>`: a book on a web page. */
 
-import { coverFor } from "./book/layout.ts";
 import type { PagePlace } from "./book/page_folds.ts";
 import type { Paper } from "./book/paper.ts";
 import {
@@ -36,7 +35,7 @@ import { expectedWidth, SetWidth } from "./element/set_width.ts";
 import { openPages, ShadowTree } from "./element/shadow_tree.ts";
 import { SoundAndHaptics } from "./element/sound_and_haptics.ts";
 import type { TornPages } from "./element/torn_pages.ts";
-import { type ChosenTypography, typographyOf } from "./element/typography.ts";
+import { typographyOf } from "./element/typography.ts";
 import { pagesIn } from "./sources/html/child_pages.ts";
 import { loadPart } from "./sources/load_part.ts";
 import type { BookInput } from "./sources/open.ts";
@@ -660,21 +659,16 @@ export class TurnleafBook extends ReaderElement {
     return this.#life.book?.viewer;
   }
 
-  /**
-   * Returns the page at which a book opens, or would: the requested one,
-   * otherwise the source's.
-   */
-  #firstPage(source?: PageList): number {
-    const said = pageNumber(this.getAttribute("page")) ?? source?.openingPage ?? 1;
-    const page = this.#asked.page ?? this.keptPage(source, this.#left?.page ?? null) ?? said;
-    return Math.min(Math.max(Math.round(page) || 1, 1), source?.pageCount ?? page);
+  /** Returns the page at which somebody wants a book to open, else its source does; null if nobody does. */
+  #namedPage(source?: PageList): number | null {
+    const said = pageNumber(this.getAttribute("page")) ?? source?.openingPage ?? null;
+    return this.#asked.page ?? this.keptPage(source, this.#left?.page ?? null) ?? said;
   }
 
-  /** Returns whether a book opens at its beginning because nobody has named a page. */
-  #opensShut(source: PageList): boolean {
-    const left = this.#left?.page ?? null;
-    const named = this.#asked.page ?? this.keptPage(source, left) ?? source.openingPage;
-    return named === undefined && pageNumber(this.getAttribute("page")) === null;
+  /** Returns the page at which a book opens, or would. */
+  #firstPage(source?: PageList): number {
+    const page = this.#namedPage(source) ?? 1;
+    return Math.min(Math.max(Math.round(page) || 1, 1), source?.pageCount ?? page);
   }
 
   /** Prepares for another book: it opens at its beginning, without the other's bookmarks. */
@@ -799,24 +793,8 @@ export class TurnleafBook extends ReaderElement {
   #takeTypography(): Typography {
     const typography = typographyOf(this);
     this.#openedBy.typography = JSON.stringify(typography);
-    this.#setWidth.width = this.#expected(typography, null).width;
+    this.#setWidth.width = expectedWidth(this, this.#tree.stage, null, typography).width;
     return { ...typography, width: this.#setWidth.width };
-  }
-
-  /** @param source of the open book; null for one that is not open yet */
-  #expected(
-    typography: ChosenTypography,
-    source: PageList | null,
-  ): ReturnType<typeof expectedWidth> {
-    const { clientWidth, clientHeight } = this.#tree.stage;
-    const binding = bindingOptionsOf(this);
-    const layout = binding.layout === "auto" ? (source?.layout ?? "auto") : binding.layout;
-    const { cover } = coverFor(
-      binding.cover,
-      source?.cover,
-      source?.pageCount ?? Number.POSITIVE_INFINITY,
-    );
-    return expectedWidth(clientWidth, clientHeight, { ...binding, layout, cover }, typography);
   }
 
   /** Returns the book that the element's children are; "" if there are none yet. */
@@ -866,7 +844,7 @@ export class TurnleafBook extends ReaderElement {
       ...binding,
       paper: () => this.#leaves,
       page: () => this.#firstPage(source),
-      opensShut: () => this.#opensShut(source),
+      opensShut: () => this.#namedPage(source) === null,
       turnSeconds: () => turnSecondsOf(this),
       filmFrames: this.filmFrames,
       model: () => this,
@@ -1010,7 +988,7 @@ export class TurnleafBook extends ReaderElement {
   async #typeset(): Promise<void> {
     const typography = typographyOf(this);
     // Larger type may have one page shown instead of two.
-    const expected = this.#expected(typography, this.source ?? null);
+    const expected = expectedWidth(this, this.#tree.stage, this.source ?? null, typography);
     if (expected.layout !== this.shownLayout) this.#setWidth.width = expected.width;
     try {
       await this.source?.typeset?.({ ...typography, width: this.#setWidth.width });

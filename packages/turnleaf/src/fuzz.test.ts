@@ -61,7 +61,7 @@ describe("a mutated manifest", () => {
 
 describe("mutated places in the browser's storage", () => {
   const sound =
-    '[["a",7,1.5,[2,9],[],null,[[0,1,0.2]],[[5,0.4,0,0.5,1,160]]],["b",3,1,[]],["a",1,8,[1,2,3]]]';
+    '[["a",7,1.5,[2,9],[],null,[[0,1,0.2]],[[5,0.4,0,0.5,1,160]],{"tilt":"6","theme":"night"}],["b",3,1,[]],["a",1,8,[1,2,3]]]';
   fuzzed(
     "are nothing or within their bounds, and give way to what is kept next",
     5000,
@@ -85,26 +85,16 @@ describe("mutated places in the browser's storage", () => {
           const isSound = [from.x, from.y, to.x, to.y].every((at) => at >= 0 && at <= 1);
           expect(page >= 1 && isSound && Math.abs(angle) <= 180, clue(before)).toBe(true);
         }
+        const known = ["tilt", "theme", "dark-pages"];
+        for (const [name, value] of Object.entries(kept.seen)) {
+          expect(known.includes(name) && value.length <= 20, clue(before)).toBe(true);
+        }
         expect(kept.bookmarks.every((page) => Number.isInteger(page) && page >= 1)).toBe(true);
       }
-      savePlace("a", {
-        page: 5,
-        zoom: 2,
-        bookmarks: [1],
-        shifts: [3],
-        folds: [],
-        pageFolds: [],
-        seen: {},
-      });
-      expect(loadPlace("a"), clue(before)).toEqual({
-        page: 5,
-        zoom: 2,
-        bookmarks: [1],
-        shifts: [3],
-        folds: [],
-        pageFolds: [],
-        seen: {},
-      });
+      const place = { page: 5, zoom: 2, bookmarks: [1], shifts: [3] };
+      const next = { ...place, folds: [], pageFolds: [], seen: { theme: "night" } };
+      savePlace("a", next);
+      expect(loadPlace("a"), clue(before)).toEqual(next);
     },
   );
 });

@@ -19,6 +19,27 @@ function set(book: ControlledBook, name: string, value: string): void {
   else book.setAttribute(name, value);
 }
 
+/**
+ * Has buttons of a group work as radio buttons by key: the tab key leads to the one that is chosen, and
+ * arrows choose another. Returns what shows which one is chosen.
+ */
+export function radios(
+  group: HTMLElement,
+  buttons: readonly HTMLButtonElement[],
+): (chosen: number) => void {
+  roving(group, () => [...buttons], true);
+  for (const button of buttons) {
+    // The one that has the focus is chosen.
+    button.addEventListener("keyup", ({ key }) => key.startsWith("Arrow") && button.click());
+  }
+  return (chosen) => {
+    for (const [k, button] of buttons.entries()) {
+      button.ariaChecked = String(k === chosen);
+      button.tabIndex = k === chosen ? 0 : -1;
+    }
+  };
+}
+
 /** Makes a row of buttons of which one is chosen, each with its text in `decorate`, if that is given. */
 export function choiceOf(
   book: ControlledBook,
@@ -32,22 +53,18 @@ export function choiceOf(
     const button = make("button", { type: "button", role: "radio" }, make("span", {}, text));
     decorate?.(button, value);
     button.addEventListener("click", () => set(book, name, value));
-    // As a radio button does, the one that has the focus is chosen.
-    button.addEventListener("keyup", ({ key }) => key.startsWith("Arrow") && button.click());
     return button;
   });
   group.append(...buttons);
-  roving(group, () => buttons, true);
+  const check = radios(group, buttons);
   const refresh = (): void => {
     const value = book.getAttribute(name) ?? "";
-    const at = Math.max(
-      choices.findIndex(([known]) => known === value),
-      0,
+    check(
+      Math.max(
+        choices.findIndex(([known]) => known === value),
+        0,
+      ),
     );
-    for (const [k, button] of buttons.entries()) {
-      button.ariaChecked = String(k === at);
-      button.tabIndex = k === at ? 0 : -1;
-    }
   };
   const head = make("span", { class: "what", "aria-hidden": "true" }, label);
   return { element: make("div", { class: "choice" }, head, group), refresh };

@@ -1,22 +1,25 @@
 /** The choice of a theme, and of what dark ones do with pages that are drawn already. */
 
+import { darkPages } from "../element/page_theme.ts";
 import { pageThemes } from "../themes.ts";
 import type { ControlledBook } from "./book.ts";
+import { radios } from "./choices.ts";
 import { make } from "./make.ts";
 import type { Wording } from "./wording.ts";
 
 const themes = ["auto", ...pageThemes] as const;
-const darkPages = ["invert", "dim"] as const;
 
 /** Two rows of buttons, each one of several: by themselves radio buttons, in a menu items of it. */
 export class ThemeRow {
   readonly element: HTMLElement = make("div", { class: "themes" });
   readonly #book: ControlledBook;
+  readonly #role: "radio" | "menuitemradio";
   readonly #refreshers: (() => void)[] = [];
 
   /** @param role of each button */
   constructor(book: ControlledBook, { texts }: Wording, role: "radio" | "menuitemradio") {
     this.#book = book;
+    this.#role = role;
     const names = {
       auto: texts.themeAuto,
       light: texts.themeLight,
@@ -24,23 +27,25 @@ export class ThemeRow {
       grey: texts.grey,
       night: texts.night,
     };
-    const group = role === "radio" ? "radiogroup" : "group";
-    const row = make("div", { role: group, class: "swatches", "aria-label": texts.theme });
-    const known = (): string =>
-      themes.find((name) => name === book.getAttribute("theme")) ?? "auto";
-    for (const theme of themes) {
-      const swatch = make("i", { class: `swatch ${theme}` });
-      this.#add(row, role, [swatch, make("span", {}, names[theme])], "theme", theme, known);
-    }
-    const label = make("span", { class: "label" }, texts.darkPages);
-    const pages = make("div", { role: group, class: "dark-pages", "aria-label": texts.darkPages });
-    pages.append(label);
-    for (const how of darkPages) {
-      const text = make("span", {}, how === "invert" ? texts.inverted : texts.dimmed);
-      this.#add(pages, role, [text], "dark-pages", how, () => book.darkPagesNow);
-    }
+    const ways = { invert: texts.inverted, dim: texts.dimmed };
+    const said = (): string => book.getAttribute("theme") ?? "";
+    const known = (): string => themes.find((name) => name === said()) ?? "auto";
+    const row = this.#group(texts.theme, "swatches", "theme", themes, known, (theme) => [
+      make("i", { class: `swatch ${theme}` }),
+      make("span", {}, names[theme]),
+    ]);
+    const done = (): string => book.darkPagesNow;
+    const pages = this.#group(
+      texts.darkPages,
+      "dark-pages",
+      "dark-pages",
+      darkPages,
+      done,
+      (how) => [make("span", {}, ways[how])],
+    );
+    pages.prepend(make("span", { class: "label" }, texts.darkPages));
     this.#refreshers.push(() => {
-      pages.hidden = book.darkPagesNow === "";
+      pages.hidden = done() === "";
     });
     this.element.append(row, pages);
   }
@@ -49,27 +54,34 @@ export class ThemeRow {
     for (const refresh of this.#refreshers) refresh();
   }
 
-  #add(
-    row: HTMLElement,
-    role: string,
-    shown: readonly Node[],
+  /** Makes a group of buttons, each of which gives an attribute one of its values. */
+  #group<V extends string>(
+    label: string,
+    name: string,
     attribute: string,
-    value: string,
+    values: readonly V[],
     chosen: () => string,
-  ): void {
-    const item = make("button", {
-      type: "button",
-      role,
-      ...(role === "radio" ? {} : { tabindex: -1 }),
+    shown: (value: V) => readonly Node[],
+  ): HTMLElement {
+    const isAlone = this.#role === "radio";
+    const role = isAlone ? "radiogroup" : "group";
+    const group = make("div", { role, class: name, "aria-label": label });
+    const buttons = values.map((value) => {
+      const button = make("button", { type: "button", role: this.#role, tabindex: -1 });
+      button.append(...shown(value));
+      button.addEventListener("click", () => {
+        this.#book.setAttribute(attribute, value);
+        this.refresh();
+      });
+      return button;
     });
-    item.append(...shown);
-    item.addEventListener("click", () => {
-      this.#book.setAttribute(attribute, value);
-      this.refresh();
-    });
-    row.append(item);
-    this.#refreshers.push(() => {
-      item.ariaChecked = String(chosen() === value);
-    });
+    group.append(...buttons);
+    const check = isAlone
+      ? radios(group, buttons)
+      : (at: number) => {
+          for (const [k, button] of buttons.entries()) button.ariaChecked = String(k === at);
+        };
+    this.#refreshers.push(() => check((values as readonly string[]).indexOf(chosen())));
+    return group;
   }
 }

@@ -2,10 +2,11 @@
 
 import { pageThemeOf } from "../element/page_theme.ts";
 import { typographyOf } from "../element/typography.ts";
+import { loadedOnce } from "../sources/loaded_once.ts";
 import {
   familyOf,
   fontsOf,
-  isTypeface,
+  stackOf,
   type TypefaceName,
 } from "../sources/typeset/typefaces/typefaces.ts";
 import { coloursOf } from "../themes.ts";
@@ -14,34 +15,19 @@ import { make } from "./make.ts";
 /** Size of usual type, CSS pixels, and its line height, where neither is chosen. */
 const usual = { size: 16, line: 1.45 };
 
-/** The families of the browser's typefaces, as books are set in them. */
-const families: Readonly<Record<string, string>> = {
-  "": 'Georgia, "Liberation Serif", "Times New Roman", serif',
-  serif: "serif",
-  "sans-serif": "sans-serif",
-};
-
-const shown = new Map<TypefaceName, Promise<void>>();
-
-/** Returns the family in which a typeface is shown in the controls. */
-export function familyShown(font: string): string {
-  return isTypeface(font) ? `${familyOf(font)}, sans-serif` : (families[font] ?? "serif");
-}
+const makeKnown = loadedOnce(async (name: TypefaceName) => {
+  for (const { bytes, weight, style, range } of await fontsOf(name)) {
+    const face = new FontFace(familyOf(name), bytes, {
+      ...{ weight: String(weight), style, unicodeRange: range },
+    });
+    document.fonts.add(face);
+  }
+});
 
 /** Makes a typeface of the package known to the web page, so that controls can show it. */
 export function showTypeface(name: TypefaceName): void {
-  if (shown.has(name)) return;
-  const loading = fontsOf(name).then((fonts) => {
-    for (const { bytes, weight, style, range } of fonts) {
-      const face = new FontFace(familyOf(name), bytes, {
-        ...{ weight: String(weight), style, unicodeRange: range },
-      });
-      document.fonts.add(face);
-    }
-  });
-  shown.set(name, loading);
   // Without it its name is shown in another; a book that is set in it says what is missing.
-  loading.catch(() => shown.delete(name));
+  makeKnown(name).catch(() => {});
 }
 
 /** A sample of the type. */
@@ -64,7 +50,7 @@ export class TypeSample {
     Object.assign(this.element.style, {
       background: colours?.paper ?? "#fff",
       color: colours?.ink ?? "#000",
-      fontFamily: familyShown(font),
+      fontFamily: stackOf(font),
       fontSize: `${usual.size * size}px`,
       lineHeight: String(lineHeight || usual.line),
       textAlign: align || "start",

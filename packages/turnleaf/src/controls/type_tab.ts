@@ -1,14 +1,15 @@
 /** The tab in which the reader chooses how flowing text is set: a sample of it, and a row for each choice. */
 
 import { typographyAttributes } from "../element/typography.ts";
-import { isTypeface } from "../sources/typeset/typefaces/typefaces.ts";
+import type { Typography } from "../sources/page_source.ts";
+import { stackOf, typefaceNames } from "../sources/typeset/typefaces/typefaces.ts";
 import { fill } from "../words/languages.ts";
 import type { ControlledBook } from "./book.ts";
 import { type Choice, type ChoiceRow, choiceOf, type ScaleTexts, scaleOf } from "./choices.ts";
 import { make } from "./make.ts";
 import type { PanelTab } from "./panel.ts";
 import { ThemeRow } from "./theme_row.ts";
-import { familyShown, showTypeface, TypeSample } from "./type_sample.ts";
+import { showTypeface, TypeSample } from "./type_sample.ts";
 import type { Wording } from "./wording.ts";
 
 /** The sizes of type that are chosen step by step, as factors of the book's own: each about a seventh more. */
@@ -63,7 +64,7 @@ export class TypeTab implements PanelTab {
       ],
       (button, value) => {
         const letters = make("b", { "aria-hidden": "true" }, "Aa");
-        letters.style.fontFamily = familyShown(value);
+        letters.style.fontFamily = stackOf(value as Typography["font"]);
         button.prepend(letters);
       },
     );
@@ -106,7 +107,7 @@ export class TypeTab implements PanelTab {
   }
 
   show(): void {
-    for (const name of ["legible", "dyslexic"]) if (isTypeface(name)) showTypeface(name);
+    for (const name of typefaceNames) showTypeface(name);
     this.refresh();
   }
 

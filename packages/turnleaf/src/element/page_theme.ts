@@ -9,7 +9,7 @@ export const themeAttributes = ["theme", "dark-pages"] as const;
 const darkScheme = "(prefers-color-scheme: dark)";
 
 /** What dark themes may do with pages that are drawn already. */
-const darkPages = ["invert", "dim"] as const;
+export const darkPages = ["invert", "dim"] as const;
 
 /**
  * Returns the theme of an element's book: the one that `theme` names, or by day and by night as the

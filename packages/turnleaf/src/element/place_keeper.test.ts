@@ -17,76 +17,26 @@ function storage(text: string | null = null): { text: string | null } {
   return held;
 }
 
+/** A place in a book with nothing on its pages. */
+const plain = { page: 3, zoom: 1, bookmarks: [], shifts: [], folds: [], pageFolds: [], seen: {} };
+
 it("keeps a book's place and gives it back", () => {
   storage();
   expect(loadPlace("a")).toBe(null);
-  savePlace("a", {
-    page: 7,
-    zoom: 1.5,
-    bookmarks: [2, 9],
-    shifts: [4],
-    folds: [],
-    pageFolds: [],
-    seen: {},
-  });
-  savePlace("c", {
-    ...{ page: 3, zoom: 1, bookmarks: [], shifts: [] },
-    folds: [],
-    pageFolds: [],
-    seen: { tilt: "6", theme: "night", class: "x" },
-  });
+  const place = { ...plain, page: 7, zoom: 1.5, bookmarks: [2, 9], shifts: [4] };
+  savePlace("a", place);
+  savePlace("c", { ...plain, seen: { tilt: "6", theme: "night", class: "x" } });
   expect(loadPlace("c")?.seen).toEqual({ tilt: "6", theme: "night" });
-  savePlace("b", {
-    page: 3,
-    zoom: 1,
-    bookmarks: [],
-    shifts: [],
-    folds: [],
-    pageFolds: [],
-    seen: {},
-  });
-  expect(loadPlace("a")).toEqual({
-    page: 7,
-    zoom: 1.5,
-    bookmarks: [2, 9],
-    shifts: [4],
-    folds: [],
-    pageFolds: [],
-    seen: {},
-  });
-  savePlace("a", {
-    page: 8,
-    zoom: 1,
-    bookmarks: [],
-    shifts: [],
-    folds: [],
-    pageFolds: [],
-    seen: {},
-  });
-  expect(loadPlace("a")).toEqual({
-    page: 8,
-    zoom: 1,
-    bookmarks: [],
-    shifts: [],
-    folds: [],
-    pageFolds: [],
-    seen: {},
-  });
+  savePlace("b", plain);
+  expect(loadPlace("a")).toEqual(place);
+  savePlace("a", { ...plain, page: 8 });
+  expect(loadPlace("a")).toEqual({ ...plain, page: 8 });
   expect(loadPlace("b")?.page).toBe(3);
 });
 
 it("keeps a hundred books, the last read", () => {
   const held = storage();
-  for (let i = 1; i <= 150; i++)
-    savePlace(`${i}`, {
-      page: i,
-      zoom: 1,
-      bookmarks: [],
-      shifts: [],
-      folds: [],
-      pageFolds: [],
-      seen: {},
-    });
+  for (let i = 1; i <= 150; i++) savePlace(`${i}`, { ...plain, page: i });
   expect(loadPlace("50")).toBe(null);
   expect(loadPlace("51")?.page).toBe(51);
   expect(JSON.parse(held.text ?? "").length).toBe(100);
@@ -160,7 +110,7 @@ it("keeps the folds of pages, and takes none that another code wrote wrong", () 
 });
 
 it("lives without a storage, and with one that is full", () => {
-  const kept = { page: 1, zoom: 1, bookmarks: [], shifts: [], folds: [], pageFolds: [], seen: {} };
+  const kept = { ...plain, page: 1 };
   expect(() => savePlace("a", kept)).not.toThrow();
   expect(loadPlace("a")).toBe(null);
   vi.stubGlobal("localStorage", {

@@ -1,11 +1,12 @@
 /** The width for which flowing text is set: that at which pages are shown, in steps. */
 
-import { layoutFor } from "../book/layout.ts";
-import type { CoverKind, Layout } from "../book/spreads.ts";
-import type { Typography } from "../sources/page_source.ts";
+import { coverFor } from "../book/layout.ts";
+import type { Layout } from "../book/spreads.ts";
+import type { PageSource } from "../sources/page_source.ts";
 import { isMiniature, mayFace, paperback } from "../sources/typeset/page_measures.ts";
-import { pageWidthIn } from "../stage/page_width.ts";
-import type { BindingOptions } from "../viewer/bound_book.ts";
+import { layoutIn } from "../stage/page_width.ts";
+import { bindingOptionsOf } from "./attributes.ts";
+import type { ChosenTypography } from "./typography.ts";
 
 /**
  * The fraction by which pages may be shown larger or smaller than they are set: of type of 16 px,
@@ -16,28 +17,29 @@ const step = 1 / 32;
 /** Milliseconds for which a size stays before text is set for it: an edge that is dragged moves with every frame. */
 const settling = 200;
 
-/** What a width is expected by. */
-export interface ExpectedBy extends Pick<BindingOptions, "binding" | "layout" | "margin"> {
-  readonly cover: CoverKind;
-}
-
 /**
- * Returns in which layout and about how wide pages of flowing text are about to be shown in a place
- * of some CSS pixels; 0 if the place has no size.
+ * Returns in which layout and about how wide pages of flowing text are about to be shown in an element, as
+ * its attributes say; 0 if its place has no size.
+ *
+ * @param place in which the book is shown
+ * @param source of the open book; null for one that is not open yet
  */
 export function expectedWidth(
-  width: number,
-  height: number,
-  { binding, cover, layout: requested, margin }: ExpectedBy,
-  typography: Omit<Typography, "width">,
+  element: Element,
+  { clientWidth: width, clientHeight: height }: Element,
+  source: Pick<PageSource, "cover" | "layout" | "pageCount"> | null,
+  typography: ChosenTypography,
 ): { readonly layout: Layout; readonly width: number } {
+  const { binding, cover: said, layout, margin } = bindingOptionsOf(element);
+  const requested = layout === "auto" ? (source?.layout ?? "auto") : layout;
+  const pageCount = source?.pageCount ?? Number.POSITIVE_INFINITY;
+  const { cover } = coverFor(said, source?.cover, pageCount);
   const aspect = paperback.width / paperback.height;
   const quarterTurned = binding === "top" || binding === "bottom";
-  const wide = (layout: Layout): number =>
-    pageWidthIn({ width, height }, layout, { aspect, quarterTurned, cover, margin });
-  const mayBoth = mayFace(typography, wide("spread"), wide("single"));
-  const layout = layoutFor(requested, aspect, quarterTurned, width, height, null, mayBoth);
-  return { layout, width: wide(layout) };
+  const frame = { aspect, quarterTurned, cover, margin };
+  return layoutIn({ width, height }, requested, null, frame, (...widths) =>
+    mayFace(typography, ...widths),
+  );
 }
 
 /** Follows the width at which pages are shown, and has their text set anew once it is clearly another. */

@@ -66,6 +66,20 @@ test("the reader chooses in a tab, which other books do not have", async () => {
   await eventually(() => sample.style.fontSize).toBe("20.8px");
   expect(sample.style.fontFamily).toContain("turnleaf-legible");
   await eventually(() => button("Typeface", "Atkinson").ariaChecked).toBe("true");
+  // A theme too, by arrows as in any row of which one is chosen.
+  const themes = [...root.querySelectorAll<HTMLElement>('[role="radiogroup"] .swatch')].map(
+    (swatch) => swatch.parentElement as HTMLElement,
+  );
+  themes[0]?.focus();
+  for (const name of ["keydown", "keyup"]) {
+    root.activeElement?.dispatchEvent(
+      new KeyboardEvent(name, { key: "ArrowRight", bubbles: true }),
+    );
+  }
+  expect([element.theme, themes.map(({ tabIndex }) => tabIndex)]).toEqual([
+    "light",
+    [-1, 0, -1, -1, -1],
+  ]);
   // By keys too, as far as there are steps.
   for (let k = 0; k < 12; k++) {
     element.dispatchEvent(new KeyboardEvent("keydown", { key: "<", bubbles: true }));

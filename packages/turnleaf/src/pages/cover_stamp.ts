@@ -1,22 +1,20 @@
 /** The front of a book that has no cover of its own: its title and authors, stamped into the cloth. */
 
 import type { PageSource } from "../sources/page_source.ts";
+import { serif } from "../sources/typeset/serif.ts";
 import { wrap } from "./stand_in.ts";
 
 /** What is stamped. */
-export type StampedWords = Pick<PageSource, "title" | "titleDirection" | "authors" | "language">;
+export type StampedWords = Pick<PageSource, "title" | "titleDirection" | "authors">;
 
 /** Width of the stamp, pixels: as sharp as a board is drawn. */
 const across = 1024;
-
-/** Type as text without a typeface of its own is set in. */
-const serif = 'Georgia, "Liberation Serif", "Times New Roman", serif';
 
 /** Foil on dark cloth, and ink on light cloth. */
 const foil = { light: "#ecd39a", dark: "#caa25c" };
 const ink = { light: "#3a2c20", dark: "#241a12" };
 
-/** Lines of a title, at most, and of authors. */
+/** Lines of a title, at most; of authors, and how many of these are named. */
 const mostTitle = 6;
 const mostAuthors = 4;
 

@@ -1,5 +1,6 @@
 /** How large a page of an open book is seen. */
 
+import { layoutFor } from "../book/layout.ts";
 import type { CoverKind, Layout } from "../book/spreads.ts";
 import type { PageSize } from "../sources/page_source.ts";
 import { caseSizes } from "./case_sizes.ts";
@@ -25,7 +26,7 @@ export interface PageFrame {
  * Returns about how wide a page of a book of usual thickness is seen from above, in the unit of `place`:
  * before the book is bound, whose own size the stage knows.
  */
-export function pageWidthIn(
+function pageWidthIn(
   place: PageSize,
   layout: Layout,
   { aspect, quarterTurned, cover, margin }: PageFrame,
@@ -36,4 +37,25 @@ export function pageWidthIn(
   const [room, length] = quarterTurned ? [place.height, place.width] : [place.width, place.height];
   const book = layout === "spread" ? 2 * (across + rim) + usualThickness : across + rim;
   return (1 - 2 * margin) * width * Math.min(room / book, length / (along + 2 * rim));
+}
+
+/**
+ * Returns in which layout a book is shown in a place, and about how wide each page then is, likewise.
+ *
+ * @param requested,before as in `layoutFor`
+ * @param mayFace as in `PageSource`
+ */
+export function layoutIn(
+  place: PageSize,
+  requested: "auto" | Layout,
+  before: Layout | null,
+  frame: PageFrame,
+  mayFace: (width: number, alone: number) => boolean,
+): { readonly layout: Layout; readonly width: number } {
+  const wide = (layout: Layout): number => pageWidthIn(place, layout, frame);
+  const { width, height } = place;
+  const { aspect, quarterTurned } = frame;
+  const mayBoth = mayFace(wide("spread"), wide("single"));
+  const layout = layoutFor(requested, aspect, quarterTurned, width, height, before, mayBoth);
+  return { layout, width: wide(layout) };
 }

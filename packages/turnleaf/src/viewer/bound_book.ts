@@ -1,13 +1,6 @@
 /** A book under one binding. Each change of binding makes a new one, shown by the same stage. */
 
-import {
-  coverFor,
-  edgeFor,
-  type LayoutOptions,
-  layoutFor,
-  pagesNamed,
-  placePages,
-} from "../book/layout.ts";
+import { coverFor, edgeFor, type LayoutOptions, pagesNamed, placePages } from "../book/layout.ts";
 import { nextTo } from "../book/leaf_order.ts";
 import { bookThickness, type StockRun, stockRuns } from "../book/leaf_stocks.ts";
 import {
@@ -27,7 +20,7 @@ import type { PageSize, PageSource } from "../sources/page_source.ts";
 import type { BookPose, BookShape } from "../stage/book_pose.ts";
 import type { BookStage } from "../stage/book_stage.ts";
 import { caseSizes } from "../stage/case_sizes.ts";
-import { pageWidthIn, paperSize } from "../stage/page_width.ts";
+import { layoutIn, paperSize } from "../stage/page_width.ts";
 import type { PageTheme } from "../themes.ts";
 import { CornerPeek } from "./corner_peek.ts";
 import { Drags } from "./drag.ts";
@@ -96,10 +89,13 @@ export function layOutBinding(
   const isQuarterTurned = edge === "top" || edge === "bottom";
   const requested = options.layout === "auto" ? (source.layout ?? "auto") : options.layout;
   const frame = { aspect: book.aspect, quarterTurned: isQuarterTurned, cover, margin };
-  const wide = (layout: Layout): number => pageWidthIn({ width, height }, layout, frame);
-  const mayFace = source.mayFace?.(wide("spread"), wide("single")) ?? true;
-  const place = [width, height] as const;
-  const usual = layoutFor(requested, book.aspect, isQuarterTurned, ...place, before, mayFace);
+  const { layout: usual } = layoutIn(
+    { width, height },
+    requested,
+    before,
+    frame,
+    (...widths) => source.mayFace?.(...widths) ?? true,
+  );
   const hardPages = pagesNamed(options.hardPages, pageCount);
   const places = placePages(pageCount, options, source.inSpread?.bind(source), boards);
   const bindIn = (layout: Layout): Binding =>

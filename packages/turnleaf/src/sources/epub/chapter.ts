@@ -7,7 +7,7 @@ import { parseMarkup } from "../markup/parse_markup.ts";
 import { readMarkup } from "../markup/read_markup.ts";
 import { BookError, type PageSize } from "../page_source.ts";
 import { type FlowContent, styleAttribute } from "../typeset/flow_book.ts";
-import { naturalSize } from "../typeset/natural_size.ts";
+import { decodedSize, naturalSize } from "../typeset/natural_size.ts";
 import type { EpubFiles } from "./epub_files.ts";
 
 /** The size of a page of fixed layout that does not say it. */
@@ -82,10 +82,7 @@ async function pictureOf(
 ): Promise<{ readonly data: string; readonly size: PageSize | null }> {
   const place = `${cleanText(path, 80)}, a chapter of ${name},`;
   const data = await files.picture(path, page, place);
-  const image = new Image();
-  image.src = data ?? "";
-  await image.decode().catch(() => {});
-  const size = { width: image.naturalWidth, height: image.naturalHeight };
+  const size = await decodedSize(data ?? "");
   if (data !== null && size.width > 0) return { data, size: isPageSize(size) ? size : null };
   throw new BookError(`${place} is damaged or no image; get the book again.`, {
     code: "damaged",

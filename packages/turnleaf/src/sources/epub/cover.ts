@@ -5,6 +5,8 @@ import { lonePicture } from "../typeset/lone_picture.ts";
 import type { Chapter } from "./chapter.ts";
 import type { EpubFiles } from "./epub_files.ts";
 
+const xlink = "http://www.w3.org/1999/xlink";
+
 /** Characters of a chapter that may be a cover's page: some lines, and a drawing. */
 const mostMarkup = 100_000;
 
@@ -42,7 +44,7 @@ export async function coverOf(
     const [address = ""] = pictures.map(
       (picture) =>
         picture.getAttribute("src") ??
-        picture.getAttributeNS("http://www.w3.org/1999/xlink", "href") ??
+        picture.getAttributeNS(xlink, "href") ??
         picture.getAttribute("href") ??
         "",
     );

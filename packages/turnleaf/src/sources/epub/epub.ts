@@ -176,7 +176,7 @@ async function readEpub(archive: Archive, file: Blob, name: string): Promise<Flo
     const sentence = ordered[0]?.missing ?? `${name} has no chapters; get it again.`;
     throw new BookError(sentence, { code: "empty", source: name });
   }
-  const first = ordered.find((_, index) => index === 0 && rollsOf(ordered)[0] === undefined);
+  const first = rollsOf(ordered)[0] === undefined ? ordered[0] : undefined;
   const isReadable = first?.missing === "" && !first.isFixed;
   const picture = pictureNamed(manifest, resources.cover, names);
   const cover = isFixedBook

@@ -62,8 +62,8 @@ function runsIn(page: HTMLElement, locate: Locate): TextRun[] {
 /**
  * Returns where a word of a node lies on its page; null if it is not shown. The browser says where
  * things are by upright boxes around them: those of a turned word are too large, but have its middle,
- * and that of the caret at its end, upright or, in vertical lines, level, is a line from corner to corner. The word is the same on both sides
- * of its middle.
+ * and that of the caret at its end is a line from corner to corner: upright on the page or, in vertical
+ * lines, level. The word is the same on both sides of its middle.
  */
 function boundsOf(
   range: Range,

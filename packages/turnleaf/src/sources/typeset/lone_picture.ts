@@ -3,6 +3,7 @@
 import { isPageSize } from "../limits.ts";
 import type { PageSize } from "../page_source.ts";
 import { type FlowContent, type FlowSection, styleAttribute } from "./flow_book.ts";
+import { decodedSize } from "./natural_size.ts";
 import { paperback } from "./page_measures.ts";
 
 /** Elements that are seen without any text. */
@@ -134,9 +135,6 @@ async function pictureSize(picture: Element): Promise<PageSize | null> {
       .map(Number);
     return isPageSize({ width, height }) ? { width, height } : null;
   }
-  const image = new Image();
-  image.src = picture.getAttribute("src") ?? "";
-  await image.decode().catch(() => {});
-  const size = { width: image.naturalWidth, height: image.naturalHeight };
+  const size = await decodedSize(picture.getAttribute("src") ?? "");
   return isPageSize(size) ? size : null;
 }

@@ -5,6 +5,7 @@ import { xmlOf, xmlText } from "../markup/xml.ts";
 import type { PageColours, PageSize } from "../page_source.ts";
 import { pixelsAttribute } from "./flow_book.ts";
 import { drawingOf, ownStyle } from "./frame.ts";
+import { serif } from "./serif.ts";
 import { styleElements } from "./style_elements.ts";
 import { type PageFlow, pageOfRect } from "./text_map.ts";
 import { colourStyle } from "./typography.ts";
@@ -123,7 +124,7 @@ export class Markup {
       const most = Math.floor(line / (marginLetter * margins.size));
       const short = text.length > most ? `${text.slice(0, most - 1).trimEnd()}…` : text;
       const style = ownStyle(
-        `font: ${margins.size}px Georgia, "Liberation Serif", "Times New Roman", serif; fill: ${ink}; fill-opacity: ${marginOpacity}; text-anchor: middle; ${look}`,
+        `font: ${margins.size}px ${serif}; fill: ${ink}; fill-opacity: ${marginOpacity}; text-anchor: middle; ${look}`,
       );
       if (text === "") return "";
       return `<text x="${size.width / 2}" y="${y}" style='${style}'>${xmlText(short)}</text>`;

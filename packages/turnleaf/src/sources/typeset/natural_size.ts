@@ -70,3 +70,11 @@ function ownSize(element: Element): PageSize | null {
   const { naturalWidth: width, naturalHeight: height } = element as HTMLImageElement;
   return { width, height };
 }
+
+/** Returns the size of the picture at an address in its own pixels, upright; 0 by 0 if it is none. */
+export async function decodedSize(address: string): Promise<PageSize> {
+  const image = new Image();
+  image.src = address;
+  await image.decode().catch(() => {});
+  return { width: image.naturalWidth, height: image.naturalHeight };
+}

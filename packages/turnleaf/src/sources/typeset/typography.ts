@@ -4,7 +4,8 @@ import { areaDeclarations } from "../markup/paged_css.ts";
 import type { PageColours, PageSize, Typography } from "../page_source.ts";
 import { pieceStyle } from "./divide.ts";
 import type { PageMeasures } from "./page_measures.ts";
-import { familyOf, isTypeface } from "./typefaces/typefaces.ts";
+import { serif } from "./serif.ts";
+import { stackOf } from "./typefaces/typefaces.ts";
 
 /** Typography as the book has it. */
 export const ownTypography: Typography = {
@@ -20,8 +21,8 @@ export const ownTypography: Typography = {
 };
 
 /** The style sheet beneath the book's own. */
-export const baseStyle = `
-html { font: 16px/1.45 Georgia, "Liberation Serif", "Times New Roman", serif; color: #000; }
+export const baseStyle: string = `
+html { font: 16px/1.45 ${serif}; color: #000; }
 p { widows: 2; orphans: 2; }
 h1, h2, h3, h4, h5, h6 { break-after: avoid; break-inside: avoid; }
 figure, tr { break-inside: avoid; }
@@ -36,11 +37,6 @@ a { color: inherit; }
 
 const textElements =
   "html, body, div, section, article, p, li, dd, dt, blockquote, td, th, span, em, i, strong, b, a, small";
-
-/** Returns a typeface as CSS has it, with what stands in for letters that are missing in it. */
-export function stackOf(font: Exclude<Typography["font"], "">): string {
-  return isTypeface(font) ? `${familyOf(font)}, sans-serif` : font;
-}
 
 /** Returns the style sheet above the book's own. */
 export function readerStyle(typography: Typography): string {

@@ -1,6 +1,7 @@
 /** The patterns by which words of a language are divided, each loaded when a book needs it. */
 
 import { loadPart } from "../../load_part.ts";
+import { loadedOnce } from "../../loaded_once.ts";
 
 /** Returns a text with soft hyphens where its words may be divided. */
 export type Divide = (text: string) => string;
@@ -33,21 +34,11 @@ export function patternsOf(tag: string): string | null {
 /** Before the end of a word of less than three letters, which is not worth a line of its own. */
 const shortEnd = /\u00ad(?=\p{L}{1,2}(?![\p{L}\u00ad]))/gu;
 
-const loaded = new Map<string, Promise<Divide>>();
-
 /** Returns what divides words by patterns that `patternsOf` names. Rejects with a `BookError` if it cannot be loaded. */
-export function loadPatterns(name: string): Promise<Divide> {
-  const loading = loaded.get(name) ?? load(name);
-  loaded.set(name, loading);
-  // They may be there when they are asked for again.
-  loading.catch(() => loaded.delete(name));
-  return loading;
-}
-
-async function load(name: string): Promise<Divide> {
+export const loadPatterns: (name: string) => Promise<Divide> = loadedOnce(async (name) => {
   const [{ default: create }, patterns] = await loadPart(
     Promise.all([import("hyphen/hyphen.js"), languages[name]?.()]),
   );
   const divide = create(patterns?.default, { html: false });
   return (text) => divide(text).replace(shortEnd, "");
-}
+});

@@ -3,10 +3,16 @@
 import { unpack } from "../../../packed.ts";
 import { dataUrl } from "../../data_url.ts";
 import { loadPart } from "../../load_part.ts";
+import { loadedOnce } from "../../loaded_once.ts";
+import type { Typography } from "../../page_source.ts";
+import { serif } from "../serif.ts";
 import type { TypefaceFile } from "./files.ts";
 
+/** The names of all. */
+export const typefaceNames = ["legible", "dyslexic"] as const;
+
 /** The name of one. */
-export type TypefaceName = "legible" | "dyslexic";
+export type TypefaceName = (typeof typefaceNames)[number];
 
 /** What loads the files of each. */
 const typefaces: Readonly<
@@ -26,6 +32,12 @@ export function familyOf(name: TypefaceName): string {
   return `turnleaf-${name}`;
 }
 
+/** Returns what text is set in by a reader's choice, as CSS has it, with what stands in for letters that are missing. */
+export function stackOf(font: Typography["font"]): string {
+  if (font === "") return serif;
+  return isTypeface(font) ? `${familyOf(font)}, sans-serif` : font;
+}
+
 /** A font file's bytes, and what it is for. */
 export interface TypefaceFont extends Omit<TypefaceFile, "packed"> {
   readonly bytes: Uint8Array<ArrayBuffer>;
@@ -39,18 +51,8 @@ export async function fontsOf(name: TypefaceName): Promise<TypefaceFont[]> {
   );
 }
 
-const rules = new Map<TypefaceName, Promise<string>>();
-
 /** Returns the style sheet that has the fonts of a typeface in it. Rejects as `fontsOf` does. */
-export function typefaceRules(name: TypefaceName): Promise<string> {
-  const made = rules.get(name) ?? makeRules(name);
-  rules.set(name, made);
-  // It may be there when it is asked for again.
-  made.catch(() => rules.delete(name));
-  return made;
-}
-
-async function makeRules(name: TypefaceName): Promise<string> {
+export const typefaceRules: (name: TypefaceName) => Promise<string> = loadedOnce(async (name) => {
   const fonts = await fontsOf(name);
   const made = await Promise.all(
     fonts.map(async ({ bytes, weight, style, range }) => {
@@ -59,4 +61,4 @@ async function makeRules(name: TypefaceName): Promise<string> {
     }),
   );
   return made.join("\n");
-}
+});
