@@ -29,6 +29,6 @@ pub const MOST_FLIGHTS: usize = 16;
 /// Farther than this from the spine, metres, no grab pulls and nothing is drawn.
 pub const FARTHEST: f32 = 1e3;
 
-/// Most work of a frame's ticks, of which it has one in any case, nanoseconds as counted: some three
-/// times what a picture may take. The two are meant to stay below 25 ms.
+/// Work of a frame's ticks after which it has no more, nanoseconds as counted: some
+/// three times what a picture may take. The two and a tick more are meant to stay below 25 ms.
 pub const MOST_STEPPING: u32 = 12_000_000;

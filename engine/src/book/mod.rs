@@ -352,14 +352,13 @@ impl Book {
         self.stepping = 0;
     }
 
-    /// Steps all flights as [`step`](Self::step) does, by at most `ticks`, and by fewer where one
-    /// more, as much work as the last, would come to more in the frame than it may have: where many
-    /// leaves meet, they move slower instead of each frame taking longer than the one before.
+    /// Steps all flights as [`step`](Self::step) does, by at most `ticks`, and by fewer where
+    /// those of the frame have taken as much work as a frame may have: where many leaves
+    /// meet, they move slower instead of each frame taking longer than the one before.
     /// Returns by how many.
     pub fn step_frame(&mut self, ticks: u32) -> u32 {
         for done in 0..ticks {
-            let with_next = self.stepping.saturating_add(self.tick_work());
-            if self.stepping > 0 && with_next > MOST_STEPPING {
+            if self.stepping >= MOST_STEPPING {
                 return done;
             }
             if self.flights.is_still() {
