@@ -138,7 +138,7 @@ engines: build browsers
 	node scripts/engines.mjs
 
 # Every manifest of IIIF's cookbook opened, by COOKBOOK, a clone of github.com/IIIF/cookbook-recipes:
-# a table in docs/sources.md. No network is needed: images are made in their sizes.
+# a table in docs/reports/conformance.md. No network is needed: images are made in their sizes.
 COOKBOOK ?= target/cookbook-recipes
 test-iiif: build chromium
 	@test -d "$(COOKBOOK)" || git clone --quiet --depth 1 https://github.com/IIIF/cookbook-recipes "$(COOKBOOK)"
@@ -208,7 +208,7 @@ report-corpora: build chromium corpora
 	node tests/corpora/report.mjs
 
 # Every test book of w3c/epub-tests in Chromium, judged by the condition that it states: the report in
-# docs/reports and its tables in docs/sources.md. Takes about ten minutes on two cores.
+# docs/reports and its tables in docs/reports/conformance.md. Takes about ten minutes on two cores.
 report-epub: build chromium corpora
 	node tests/epub_report/run.mjs
 
