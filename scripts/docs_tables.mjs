@@ -1,10 +1,11 @@
 /**
  * The tables of the docs. What measures writes a table into docs/data, a row a line;
- * pages include it between the lines `<!-- table NAME -->` and `<!-- /table -->`, or those of its
- * rows that begin with given words: `<!-- table NAME: words|other words -->`.
+ * pages include it between the lines `<!-- table NAME -->` and `<!-- /table -->`.
  *
  *   node scripts/docs_tables.mjs            writes the tables into the pages
  *   node scripts/docs_tables.mjs --check    fails if a page differs from its data
+ *
+ * `<!-- table NAME: words|other words -->` includes the rows alone that begin with these words.
  */
 import { readdirSync, readFileSync, writeFileSync } from "node:fs";
 import { join, relative } from "node:path";
