@@ -1,8 +1,8 @@
 //! A leaf's nodes in the book, and what it remembers of what they met.
 
 use super::fraction_turned::fraction_turned;
-use super::mesh::{Folds, Mesh, update_normals};
-use super::tolerance::{CLOSE, FAR};
+use crate::contact::mesh::{Folds, Mesh, update_normals};
+use crate::contact::tolerance::{CLOSE, FAR};
 use crate::models::sheet::CAN_CREASE;
 use crate::vector::{dot, sub};
 

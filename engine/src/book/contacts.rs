@@ -5,10 +5,10 @@
 //! lives over a flat table, as half-spaces turned back by the gutter's bend.
 
 use super::book_space_leaf::BookSpaceLeaf;
-use super::flaps::{Flaps, PARTS};
 use super::limits::TICK;
 use super::pile::Pile;
-use super::tolerance::{
+use crate::contact::flaps::{Flaps, PARTS};
+use crate::contact::tolerance::{
     APART, BETWEEN_NODES, CURLED, DEEPEST, FAR, GAP, LEAP, PAST_RIM, PUSHED_AT_ONCE,
 };
 use crate::models::sheet::{CAN_CREASE, CONTACTS, Contact};

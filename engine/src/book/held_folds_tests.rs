@@ -1,6 +1,7 @@
 //! Folded leaves of a book that are folded anew in flight and pulled at by several grabs.
 
 use super::*;
+use crate::contact::tolerance::DEEP;
 use crate::random::Random;
 use crate::vector::{cross, dot, sub};
 
@@ -94,7 +95,7 @@ fn grabs_do_not_draw_a_flap_through_its_page() {
             book.step(1);
             if tick % 3 == 0 {
                 let deep = through_itself(&book);
-                assert!(deep < tolerance::DEEP + 1e-5, "{seed}, tick {tick}: {deep}");
+                assert!(deep < DEEP + 1e-5, "{seed}, tick {tick}: {deep}");
             }
         }
     }

@@ -7,9 +7,9 @@
 use std::rc::Rc;
 
 use super::Book;
-use super::relief::Relief;
-use super::tolerance::FAR;
 use super::torn_leaf::TornLeaf;
+use crate::contact::relief::Relief;
+use crate::contact::tolerance::FAR;
 
 /// Steps loose sheets by `ticks` of [`TICK`](super::TICK) seconds on and beside a book as it is drawn, and
 /// brings what is drawn of them up to date. Those that are asleep and that nothing moves stay so.

@@ -1,7 +1,7 @@
 //! How deep the parts of a creased sheet are drawn in each other, for tests.
 
 use super::creased_mesh::CreasedMesh;
-use crate::flaps::{add_facing, facing_of};
+use crate::contact::flaps::{add_facing, facing_of};
 use crate::models::sheet::FoldLine;
 use crate::surface::Surface;
 use crate::vector::{cross, dot, sub, unit};

@@ -5,9 +5,9 @@ use std::rc::Rc;
 
 use super::{Crumpled, TornLeaf};
 use crate::book::Book;
-use crate::book::relief::{Relief, bounds};
 use crate::book::surroundings::Surroundings;
-use crate::book::tolerance::DEEPEST;
+use crate::contact::relief::{Relief, bounds};
+use crate::contact::tolerance::DEEPEST;
 use crate::surface::Surface;
 
 impl TornLeaf {

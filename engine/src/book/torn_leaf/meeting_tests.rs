@@ -3,9 +3,9 @@
 use super::tests::{AROUND, held_folded, lying, settle, tear_off};
 use super::*;
 use crate::book::loose_sheets::{step_together, wake_upon};
-use crate::book::relief::bounds;
 use crate::book::stillness::LONGEST_FALL;
-use crate::book::tolerance::OVER_PILE;
+use crate::contact::relief::bounds;
+use crate::contact::tolerance::OVER_PILE;
 use crate::models::sheet::FoldLine;
 use crate::stock::Stock;
 

@@ -524,7 +524,7 @@ fn overlap(
 }
 
 #[cfg(test)]
-pub(super) mod tests {
+pub mod tests {
     use super::*;
 
     const COLUMNS: usize = 9;

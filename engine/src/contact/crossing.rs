@@ -1,8 +1,7 @@
 //! Whether two leaves go through each other.
 //!
 //! Tested where leaves have come deep into each other, of the leaves as they are
-//! simulated (see [`Flights::step`](super::flights::Flights::step)) and as they are
-//! drawn (see [`draw`](super::draw)).
+//! simulated and as they are drawn.
 
 use super::mesh::Mesh;
 use super::work::Work;

@@ -20,7 +20,7 @@ const LEAST_AREA: f32 = 1e-4;
 
 /// The upper side of a sheet, as it was drawn.
 #[derive(Clone, Debug)]
-pub(super) struct Relief {
+pub struct Relief {
     lattice: Lattice,
     columns: usize,
     rows: usize,
@@ -250,7 +250,7 @@ impl Relief {
 }
 
 /// The least and the greatest coordinates of points.
-pub(super) fn bounds(points: &[f32]) -> [[f32; 3]; 2] {
+pub fn bounds(points: &[f32]) -> [[f32; 3]; 2] {
     let start = [[f32::INFINITY; 3], [f32::NEG_INFINITY; 3]];
     let x = points.as_chunks::<3>().0.iter();
     x.fold(start, |[low, high], x| {

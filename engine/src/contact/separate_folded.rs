@@ -8,11 +8,11 @@
 //! which is where they pass its rim.
 
 use super::flap_order::FlapOrder;
+use super::flaps::{BESIDE, is_turned_over};
 use super::separate_parts::{BLOCK, Block, DrawnParts, Slab};
 use super::tolerance::{NOT_UPON, ROOM_FROM_SPINE, SLACK, SLIVER};
 use super::triangle::Triangle;
 use super::work::Work;
-use crate::flaps::{BESIDE, is_turned_over};
 use crate::vector::{dot, sub};
 
 /// Work of looking at two blocks, at a point beside a block or a triangle, and at a triangle,
@@ -29,7 +29,7 @@ const CORNERS: usize = (BLOCK + 1) * (BLOCK + 1);
 pub struct PartedLeaf<'a> {
     pub points: &'a [[f32; 3]],
     pub parts: &'a DrawnParts,
-    /// Its creases that are [shut](crate::flaps::Flaps::shut).
+    /// Its creases that are [shut](super::flaps::Flaps::shut).
     pub shut: u16,
 }
 
@@ -609,7 +609,7 @@ fn edges_through(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::book::separate_parts::{ROUNDS, tests::folded};
+    use crate::contact::separate_parts::{ROUNDS, tests::folded};
 
     const COLUMNS: usize = 9;
     const ROWS: usize = 7;

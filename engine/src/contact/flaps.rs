@@ -1,7 +1,7 @@
 //! The parts of a creased leaf between its creases, and where they meet each other.
 
+use super::tolerance::{CURLED, DEEPEST, GAP, PUSHED_AT_ONCE};
 use crate::models::sheet::{CONTACTS, Contact, Sheet};
-use crate::tolerance::{CURLED, DEEPEST, GAP, PUSHED_AT_ONCE};
 use crate::turn::TurnModel;
 use crate::vector::{cross, dot, sub, unit};
 
