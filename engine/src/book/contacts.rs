@@ -275,10 +275,8 @@ fn nearest_of_itself(leaf: &BookSpaceLeaf, node: usize) -> Option<usize> {
     let columns = leaf.columns;
     let point = leaf.points[node];
     let (mut best, mut least) = (None, CURLED * CURLED);
-    for (row, [low, high]) in leaf.bounds.iter().enumerate() {
-        let beside =
-            |axis: usize| point[axis] < low[axis] - CURLED || point[axis] > high[axis] + CURLED;
-        if (0..3).any(beside) {
+    for (row, bounds) in leaf.bounds.iter().enumerate() {
+        if !bounds.grown([CURLED; 3]).holds(point) {
             continue;
         }
         for other in row * columns..(row + 1) * columns {

@@ -4,6 +4,7 @@
 //! It knows meshes and sheets, and no book: which leaves may meet, and in which order, its callers
 //! say.
 
+pub mod aabb;
 pub mod crossing;
 pub mod flap_order;
 pub mod flaps;

@@ -5,6 +5,7 @@
 //! apart bends over no rim that stands up, and what comes from beside is met before it is deep
 //! in.
 
+use super::aabb::Aabb;
 use super::tolerance::SLIVER;
 use crate::real::bounded;
 
@@ -90,8 +91,8 @@ impl Relief {
     ) -> Relief {
         let lattice = Lattice { spacing };
         let x = points.as_chunks::<3>().0;
-        let [low, high] = bounds(points);
-        let sides = [0, 1, 2].map(|axis| high[axis] - low[axis]);
+        let bounds = Aabb::around(x.iter().copied());
+        let Aabb { low, high } = bounds;
         let mut relief = Relief {
             lattice,
             columns: 0,
@@ -102,7 +103,7 @@ impl Relief {
             highest: high[2],
             points: points.to_vec(),
         };
-        if !sides.iter().all(|side| *side <= longest) {
+        if !bounds.size().iter().all(|side| *side <= longest) {
             return relief;
         }
         let falling = bounded(high[2] - table, 0.0, longest) / (SLOPE * spacing);
@@ -143,16 +144,19 @@ impl Relief {
         self.points.len() != points.len() || pairs.any(|(a, b)| (a - b).abs() > SLIVER)
     }
 
-    /// Whether something between two corners, metres, lies over or beside it in plan.
-    pub fn is_near(&self, [low, high]: [[f32; 3]; 2]) -> bool {
+    /// Whether something in a box lies over or beside it in plan.
+    pub fn is_near(&self, bounds: &Aabb) -> bool {
         let spacing = self.lattice.spacing;
         let sides = [self.columns, self.rows];
-        sides.iter().all(|count| *count > 0)
-            && [0, 1].into_iter().all(|axis| {
-                let from = self.first[axis] as f32 * spacing;
-                let to = from + (sides[axis] - 1) as f32 * spacing;
-                low[axis] <= to && high[axis] >= from
-            })
+        sides.iter().all(|count| *count > 0) && {
+            let [from_x, from_y] = self.first.map(|first| first as f32 * spacing);
+            let [along_x, along_y] = sides.map(|count| (count - 1) as f32 * spacing);
+            let own = Aabb {
+                low: [from_x, from_y, 0.0],
+                high: [from_x + along_x, from_y + along_y, 0.0],
+            };
+            own.overlaps_in_plan(bounds)
+        }
     }
 
     /// Whether the paper itself lies under or over a place in plan.
@@ -247,18 +251,6 @@ impl Relief {
         let corners = [foot, foot + 1, head, head + 1].map(|node| heights[node]);
         Some((corners, [part(x, column), part(y, row)]))
     }
-}
-
-/// The least and the greatest coordinates of points.
-pub fn bounds(points: &[f32]) -> [[f32; 3]; 2] {
-    let start = [[f32::INFINITY; 3], [f32::NEG_INFINITY; 3]];
-    let x = points.as_chunks::<3>().0.iter();
-    x.fold(start, |[low, high], x| {
-        let of = |edge: [f32; 3], pick: fn(f32, f32) -> f32| {
-            core::array::from_fn(|axis| pick(edge[axis], x[axis]))
-        };
-        [of(low, f32::min), of(high, f32::max)]
-    })
 }
 
 /// Heights with those of the nodes next to paper: its rim ends between nodes.

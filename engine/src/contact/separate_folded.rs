@@ -7,13 +7,14 @@
 //! other, and edges that still go through a triangle are moved off it where they are deepest,
 //! which is where they pass its rim.
 
+use super::aabb::Aabb;
 use super::flap_order::FlapOrder;
 use super::flaps::{BESIDE, is_turned_over};
 use super::separate_parts::{BLOCK, Block, DrawnParts, Slab};
 use super::tolerance::{NOT_UPON, ROOM_FROM_SPINE, SLACK, SLIVER};
 use super::triangle::Triangle;
 use super::work::Work;
-use crate::vector::{dot, sub};
+use crate::vector::dot;
 
 /// Work of looking at two blocks, at a point beside a block or a triangle, and at a triangle,
 /// nanoseconds.
@@ -81,7 +82,7 @@ impl Order {
 
 /// Where the blocks of a leaf are.
 pub struct PlacedBlocks {
-    boxes: Vec<[[f32; 3]; 2]>,
+    boxes: Vec<Aabb>,
     slabs: Vec<Option<Slab>>,
 }
 
@@ -103,26 +104,26 @@ impl PlacedBlocks {
     }
 
     /// The box around all.
-    fn around(&self) -> [[f32; 3]; 2] {
-        box_around(self.boxes.as_flattened().iter().copied())
+    fn around(&self) -> Aabb {
+        let mut all = Aabb::EMPTY;
+        self.boxes.iter().for_each(|one| all.unite(one));
+        all
     }
 
     /// Whether a box reaches over triangles of a block or under them, by less than overlaps.
-    fn is_beside(&self, [low, high]: [[f32; 3]; 2], block: usize, slab: &Slab, scale: f32) -> bool {
-        let [own_low, own_high] = self.boxes[block];
-        let size = sub(own_high, own_low);
+    fn is_beside(&self, bounds: &Aabb, block: usize, slab: &Slab, scale: f32) -> bool {
+        let own = &self.boxes[block];
+        let size = own.size();
         let beyond = BESIDE * dot(size, size).sqrt();
-        (0..3).any(|i| {
-            let within = NOT_UPON * scale * slab.normal[i].abs() + beyond;
-            low[i] > own_high[i] + within || high[i] < own_low[i] - within
-        })
+        let within = slab.normal.map(|n| NOT_UPON * scale * n.abs() + beyond);
+        !own.grown(within).overlaps(bounds)
     }
 }
 
 impl PartedLeaf<'_> {
-    fn box_of(&self, block: &Block) -> [[f32; 3]; 2] {
+    fn box_of(&self, block: &Block) -> Aabb {
         let corners = self.parts.corners[block.corners.clone()].iter();
-        box_around(corners.map(|node| self.points[*node]))
+        Aabb::around(corners.map(|node| self.points[*node]))
     }
 
     fn is_turned_over(&self, block: usize) -> bool {
@@ -130,38 +131,13 @@ impl PartedLeaf<'_> {
     }
 
     /// Whether every corner of a block is so far from the triangles in a slab, on a side.
-    fn is_clear_of(
-        &self,
-        block: usize,
-        bounds: [[f32; 3]; 2],
-        slab: &Slab,
-        side: f32,
-        gap: f32,
-    ) -> bool {
+    fn is_clear_of(&self, block: usize, bounds: &Aabb, slab: &Slab, side: f32, gap: f32) -> bool {
         let corners = &self.parts.corners[self.parts.blocks[block].corners.clone()];
         slab.distance(bounds, side) >= gap
             || corners
                 .iter()
                 .all(|node| slab.distance_of(self.points[*node], side) >= gap)
     }
-}
-
-/// The box around points. Compared by hand: a library's least and most mind what is no number, and
-/// are slow.
-fn box_around(points: impl Iterator<Item = [f32; 3]>) -> [[f32; 3]; 2] {
-    let mut bounds = [[f32::MAX; 3], [f32::MIN; 3]];
-    for point in points {
-        for (axis, x) in point.into_iter().enumerate() {
-            let [low, high] = [bounds[0][axis], bounds[1][axis]];
-            bounds[0][axis] = if x < low { x } else { low };
-            bounds[1][axis] = if x > high { x } else { high };
-        }
-    }
-    bounds
-}
-
-fn touch([low, high]: [[f32; 3]; 2], [other_low, other_high]: [[f32; 3]; 2]) -> bool {
-    (0..3).all(|i| low[i] <= other_high[i] && high[i] >= other_low[i])
 }
 
 /// Where a place is too low over a triangle, or in it.
@@ -336,7 +312,7 @@ pub fn push_off_leaf(
         let facing = order.side_of((&own.parted(), block), (other, other_block));
         let slab = placed.slab(other, other_block);
         let bounds = own.parted().box_of(&own.parts.blocks[block]);
-        if own.parted().is_clear_of(block, bounds, &slab, facing, 0.0) {
+        if own.parted().is_clear_of(block, &bounds, &slab, facing, 0.0) {
             continue;
         }
         outcome = outcome.max(push_edges_off(
@@ -400,39 +376,37 @@ fn find_pairs(
     let blocks = (0..own.parts.blocks.len()).filter(|block| has_moved[*block]);
     for block in blocks {
         let bounds = own_placed.boxes[block];
-        let [low, high] = bounds;
-        if (0..3).any(|i| high[i] < all[0][i] - within || low[i] > all[1][i] + within) {
+        let near = bounds.grown([within; 3]);
+        if !near.overlaps(&all) {
             continue;
         }
         work.spend(BLOCKS * other.parts.blocks.len() as u32);
         for other_block in 0..other.parts.blocks.len() {
             let others = placed.boxes[other_block];
-            let is_near =
-                (0..3).all(|i| high[i] > others[0][i] - within && low[i] < others[1][i] + within);
-            if !is_near {
+            if !near.overlaps(&others) {
                 continue;
             }
             work.spend(POINT * CORNERS as u32);
             // What a plane parts is clear, from either side.
             let slab = placed.slab(other, other_block);
             let facing = order.side_of((own, block), (other, other_block));
-            if own.is_clear_of(block, bounds, &slab, facing, gap) {
+            if own.is_clear_of(block, &bounds, &slab, facing, gap) {
                 continue;
             }
             let own_slab = own_placed.slab(own, block);
             let facing = order.reversed().side_of((other, other_block), (own, block));
             work.spend(POINT * CORNERS as u32);
-            if other.is_clear_of(other_block, others, &own_slab, facing, gap) {
+            if other.is_clear_of(other_block, &others, &own_slab, facing, gap) {
                 continue;
             }
             if order.is_under((own, block), (other, other_block)) {
                 has_covered = true;
                 continue;
             }
-            if !placed.is_beside(bounds, other_block, &slab, scale) {
+            if !placed.is_beside(&bounds, other_block, &slab, scale) {
                 over.push([block, other_block]);
             }
-            if !own_placed.is_beside(others, block, &own_slab, scale) {
+            if !own_placed.is_beside(&others, block, &own_slab, scale) {
                 under.push([other_block, block]);
             }
         }
@@ -550,8 +524,8 @@ fn push_edges_off(
             Edges::Own => corners.map(|corner| other.points[corner]),
             Edges::Others => own.at(*corners),
         };
-        let around = box_around(at(own).into_iter());
-        if !touch(around, bounds) {
+        let around = Aabb::around(at(own));
+        if !around.overlaps(&bounds) {
             continue;
         }
         let triangle = Triangle::of(at(own), side);
@@ -564,7 +538,7 @@ fn push_edges_off(
                 Edges::Own => edge.map(|node| own.points[node]),
                 Edges::Others => edge.map(|node| other.points[node]),
             };
-            if !touch(around, box_around(ends.into_iter())) {
+            if !around.overlaps(&Aabb::around(ends)) {
                 continue;
             }
             // Where the edge before has moved it.
