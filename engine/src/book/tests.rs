@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::contact::aabb::Aabb;
+use crate::contact::triangle::area_normal;
 use crate::random::{Random, for_seeds};
 use crate::vector::{cross, dot, sub};
 
@@ -433,7 +434,7 @@ fn is_drawn_through(left: &Surface, right: &Surface) -> bool {
             .collect();
         facets(other).iter().any(|facet| {
             let [a, b, c] = facet.map(|node| corners[node]);
-            let normal = cross(sub(b, a), sub(c, a));
+            let normal = area_normal([a, b, c]);
             let tolerance = 2e-6 * dot(normal, normal).sqrt();
             let around = Aabb::around([a, b, c]);
             own.iter().zip(&boxes).any(|(own, bounds)| {

@@ -5,6 +5,7 @@
 
 use super::aabb::Aabb;
 use super::mesh::Mesh;
+use super::triangle::area_normal;
 use super::work::Work;
 use crate::models::sheet::CAN_CREASE;
 use crate::vector::{cross, dot, sub};
@@ -248,8 +249,7 @@ impl Tile {
     fn cone(&self) -> Cone {
         let mut square = f32::MAX;
         for corners in self.facets() {
-            let [a, b, c] = corners.map(|k| self.point(k));
-            let normal = cross(sub(b, a), sub(c, a));
+            let normal = area_normal(corners.map(|k| self.point(k)));
             let (along, length) = (dot(normal, self.normal), dot(normal, normal));
             // Where the leaf has fewer points a facet is none.
             if length > 1e-20 {
@@ -301,10 +301,9 @@ impl Tile {
         tolerance: f32,
         ends_at: impl Fn(Node) -> bool,
     ) -> bool {
-        let [a, b, c] = facet;
-        let normal = cross(sub(b, a), sub(c, a));
+        let normal = area_normal(facet);
         let tolerance = tolerance * dot(normal, normal).sqrt();
-        let heights = heights(&self.points, normal, dot(normal, a));
+        let heights = heights(&self.points, normal, dot(normal, facet[0]));
         let [low, high] = range(&heights);
         if low >= -tolerance || high <= tolerance {
             return false;
@@ -414,7 +413,7 @@ mod tests {
                 let [p, q] = edge.map(|node| own[node]);
                 triangles.iter().any(|corners| {
                     let facet = corners.map(|node| other[node]);
-                    let normal = cross(sub(facet[1], facet[0]), sub(facet[2], facet[0]));
+                    let normal = area_normal(facet);
                     let length = dot(normal, normal).sqrt();
                     let [h, g] = [p, q].map(|end| dot(normal, sub(end, facet[0])) / length);
                     let way = h / (h - g);

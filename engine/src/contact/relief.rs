@@ -7,6 +7,7 @@
 
 use super::aabb::Aabb;
 use super::tolerance::SLIVER;
+use super::triangle::PlanTriangle;
 use crate::real::bounded;
 
 /// How steeply heights fall off at most, as a sheet drapes over a rim.
@@ -15,7 +16,7 @@ const SLOPE: f32 = 1.0;
 /// Where nothing lies.
 const NOTHING: f32 = f32::NEG_INFINITY;
 
-/// Least area in plan of a triangle that counts, over the square of the lattice's spacing: a
+/// Least of twice the area in plan of a triangle that counts, over the square of the lattice's spacing: a
 /// smaller one covers no node but by rounding.
 const LEAST_AREA: f32 = 1e-4;
 
@@ -52,27 +53,17 @@ impl Lattice {
 
     /// Calls `visit` with each node that lies in a triangle in plan, and the height there.
     fn each_node_in(self, corners: [[f32; 3]; 3], mut visit: impl FnMut([i32; 2], f32)) {
-        let [a, b, c] = corners;
-        let [u, v] = [b, c].map(|p| [p[0] - a[0], p[1] - a[1]]);
-        let area = u[0] * v[1] - u[1] * v[0];
-        if area.abs() < LEAST_AREA * self.spacing * self.spacing {
+        let least = LEAST_AREA * self.spacing * self.spacing;
+        let Some(triangle) = PlanTriangle::of(corners, least) else {
             return;
-        }
-        let range = |axis: usize| {
-            let at = corners.map(|corner| corner[axis]);
-            let least = at[0].min(at[1]).min(at[2]);
-            let most = at[0].max(at[1]).max(at[2]);
-            libm::ceilf(least / self.spacing) as i32..=self.before(most)
         };
-        let inverse = 1.0 / area;
+        let Aabb { low, high } = Aabb::around(corners);
+        let range =
+            |axis: usize| libm::ceilf(low[axis] / self.spacing) as i32..=self.before(high[axis]);
         for row in range(1) {
             for column in range(0) {
-                let p = [column, row].map(|number| number as f32 * self.spacing);
-                let away = [p[0] - a[0], p[1] - a[1]];
-                let on_b = inverse * (away[0] * v[1] - away[1] * v[0]);
-                let on_c = inverse * (u[0] * away[1] - u[1] * away[0]);
-                if on_b >= 0.0 && on_c >= 0.0 && on_b + on_c <= 1.0 {
-                    let height = a[2] + on_b * (b[2] - a[2]) + on_c * (c[2] - a[2]);
+                let place = [column, row].map(|number| number as f32 * self.spacing);
+                if let Some(height) = triangle.height_at(place) {
                     visit([column, row], height);
                 }
             }

@@ -9,10 +9,10 @@
 
 use super::aabb::Aabb;
 use super::flap_order::FlapOrder;
-use super::flaps::{BESIDE, is_turned_over};
+use super::flaps::is_turned_over;
 use super::separate_parts::{BLOCK, Block, DrawnParts, Slab};
 use super::tolerance::{NOT_UPON, ROOM_FROM_SPINE, SLACK, SLIVER};
-use super::triangle::Triangle;
+use super::triangle::{BESIDE, EdgePlace, Triangle};
 use super::work::Work;
 use crate::vector::dot;
 
@@ -174,35 +174,20 @@ fn missing(place: [f32; 3], height: f32, scale: f32) -> Option<f32> {
     (missing > SLACK * room).then_some(missing)
 }
 
-/// The part of an edge from one end to the other at which it is lowest over a triangle, the weights
-/// of the triangle's corners there, and by how much it is too low, metres, if it was ever
-/// over it; None where it is nowhere under the triangle.
+/// Where an edge that goes through a triangle is lowest, and by how much it is too low there,
+/// metres, if it was ever over the triangle; None where it is nowhere under it.
 fn lowest_over(
     ends: [[f32; 3]; 2],
     triangle: &Triangle,
     scale: f32,
-) -> Option<(f32, [f32; 3], Option<f32>)> {
-    let heights = ends.map(|end| triangle.height(end));
-    let of_ends = ends.map(|end| triangle.weights(end));
-    let weights: [[f32; 2]; 3] = core::array::from_fn(|k| of_ends.map(|weights| weights[k]));
-    // The part of the way on which none is below 0.
-    let (mut first, mut last) = (0.0f32, 1.0f32);
-    for [a, b] in weights {
-        match (a < 0.0, b < 0.0) {
-            (true, true) => return None,
-            (true, false) if a / (a - b) > first => first = a / (a - b),
-            (false, true) if a / (a - b) < last => last = a / (a - b),
-            _ => {}
-        }
-    }
-    let way = if heights[0] < heights[1] { first } else { last };
-    let height = heights[0] + way * (heights[1] - heights[0]);
-    if first > last || height >= 0.0 {
+) -> Option<(EdgePlace, Option<f32>)> {
+    let lowest = triangle.lowest_of_edge(ends)?;
+    if lowest.height >= 0.0 {
         return None;
     }
-    let place = core::array::from_fn(|i| ends[0][i] + way * (ends[1][i] - ends[0][i]));
-    let weights = weights.map(|[a, b]| (a + way * (b - a)).max(0.0));
-    Some((way, weights, missing(place, height, scale)))
+    let place = core::array::from_fn(|i| ends[0][i] + lowest.way * (ends[1][i] - ends[0][i]));
+    let missing = missing(place, lowest.height, scale);
+    Some((lowest, missing))
 }
 
 /// A leaf that is moved.
@@ -543,7 +528,8 @@ fn push_edges_off(
             }
             // Where the edge before has moved it.
             let triangle = Triangle::of(at(own), side);
-            if let Some((way, weights, missing)) = lowest_over(ends, &triangle, scale) {
+            if let Some((lowest, missing)) = lowest_over(ends, &triangle, scale) {
+                let EdgePlace { way, weights, .. } = lowest;
                 match (edges, missing) {
                     (Edges::Own, Some(by)) => own.push(edge, [1.0 - way, way], triangle.normal, by),
                     (Edges::Others, Some(by)) => own.push(*corners, weights, triangle.normal, -by),

@@ -10,12 +10,12 @@
 //! looked at that are near a block of another part and not on their side of all its triangles.
 
 use super::aabb::Aabb;
-use super::flaps::{BESIDE, Flaps, add_facing, facing_of};
+use super::flaps::{Flaps, add_facing, facing_of};
 use super::tolerance::{NOT_UPON, OVER_PILE, SLACK};
-use super::triangle::Triangle;
+use super::triangle::{BESIDE, Triangle, area_normal};
 use super::work::Work;
 use crate::surface::Surface;
-use crate::vector::{cross, dot, sub, unit};
+use crate::vector::{dot, unit};
 use core::ops::Range;
 
 /// Rounds of projections, at most.
@@ -111,10 +111,7 @@ impl Block {
 
 impl Slab {
     pub fn around(points: &[[f32; 3]], triangles: &[[usize; 3]]) -> Slab {
-        let normal_of = |corners: &[usize; 3]| {
-            let [a, b, c] = corners.map(|corner| points[corner]);
-            cross(sub(b, a), sub(c, a))
-        };
+        let normal_of = |corners: &[usize; 3]| area_normal(corners.map(|corner| points[corner]));
         let normals = triangles.iter().map(normal_of);
         let sum = normals.clone().fold([0.0; 3], |sum: [f32; 3], normal| {
             core::array::from_fn(|axis| sum[axis] + normal[axis])
@@ -446,8 +443,8 @@ impl DrawnParts {
         }
         for block in &self.blocks {
             for corners in &self.triangles[block.triangles.clone()] {
-                let [a, b, c] = corners.map(|corner| points[corner]);
-                add_facing(&mut found, block.part, cross(sub(b, a), sub(c, a)));
+                let normal = area_normal(corners.map(|corner| points[corner]));
+                add_facing(&mut found, block.part, normal);
             }
         }
         found
