@@ -174,6 +174,13 @@ export default {
       from: { path: source, pathNot: test },
       to: { dependencyTypes: ["core"] },
     },
+    {
+      name: "the command uses the built viewer",
+      comment: "Of its sources it reads the table of formats alone, which imports nothing of a browser.",
+      severity: "error",
+      from: { path: "^packages/cli/(src|app)/", pathNot: test },
+      to: { path: source, pathNot: `${source}sources/formats[.]ts$` },
+    },
     ...partRules,
     ...packageRules,
   ],

@@ -27,8 +27,8 @@ type Options = ReturnType<typeof bindingOptionsOf>;
 /** An element whose attributes can be read and set as properties. */
 export class ReflectingElement extends Base {
   /**
-   * Address of a book: a PDF, an EPUB, a MOBI, an AZW3, an FB2, a comic, text, an
-   * image, or a manifest of images.
+   * Address of a book: a PDF, an EPUB, a comic, text, an image, a manifest of images, or another
+   * file that can be read.
    * @attribute src
    * @default ""
    */
