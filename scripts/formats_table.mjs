@@ -1,14 +1,11 @@
 /** The table of the files that can be opened, for docs/sources.md. */
-import { join } from "node:path";
-import { runnerImport } from "vite";
-
-const source = join(import.meta.dirname, "../packages/turnleaf/src/sources/formats.ts");
+import { importTs } from "./import_ts.mjs";
 
 /** Returns its rows of cells, the first of them headings. */
 export async function formatsTable() {
-  const { module } = await runnerImport(source, { configFile: false, logLevel: "error" });
+  const { formats } = await importTs("sources/formats.ts");
   const code = (words) => words.map((word) => `\`${word}\``).join(", ");
-  const rows = module.formats.flatMap(({ labels, family, endings = [], type }) =>
+  const rows = formats.flatMap(({ labels, family, endings = [], type }) =>
     family === undefined
       ? []
       : [[labels.join(", "), code(endings.map((ending) => `.${ending}`)), code([type])]],

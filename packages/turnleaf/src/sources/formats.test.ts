@@ -11,7 +11,7 @@ import {
   listImages,
 } from "./formats.ts";
 
-const tarStart = Buffer.from(tar({ "a.pdf": "%PDF-" })).toString("latin1", 0, 1029);
+const tarStart = String.fromCharCode(...tar({ "a.pdf": "%PDF-" }).subarray(0, 1029));
 
 /** The first bytes of files of each kind (latin-1), and their media type. */
 const kinds: Readonly<
@@ -64,7 +64,10 @@ const images = {
   "image/avif": ["\0\0\0\x20ftypavif", "\0\0\0\x20ftypavis"],
 };
 
-const startOf = (text: string): FileStart => ({ start: Buffer.from(text, "latin1"), type: "" });
+const startOf = (text: string): FileStart => ({
+  start: Uint8Array.from(text, (letter) => letter.charCodeAt(0)),
+  type: "",
+});
 
 test("a format is found by the first bytes, with the media type as which it is served", () => {
   for (const [kind, [type, starts]] of Object.entries(kinds)) {
