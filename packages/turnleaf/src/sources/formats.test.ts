@@ -118,8 +118,9 @@ test("every ending and every mark is of one format", () => {
 });
 
 test("lists of what can be read name formats by families", () => {
-  expect(listFormats()).toBe(
-    "PDF, EPUB, MOBI, AZW3, FB2, comics (CBT, CBZ, CBR, CB7), Markdown, text, images (PNG, JPEG, WebP, AVIF, GIF, BMP, SVG, TIFF, JPEG 2000), IIIF and JSON manifests",
-  );
-  expect(listImages()).toBe("PNG, JPEG, WebP, AVIF, GIF, BMP, SVG, TIFF and JPEG 2000");
+  const named = new Set(["PDF", "CBZ", "CBR", "PNG", "text", "MOBI"]);
+  const some = formats.filter(({ labels = [] }) => labels.some((label) => named.has(label)));
+  expect(listFormats(some)).toBe("PDF, MOBI, AZW3, comics (CBZ, CBR), text, images (PNG)");
+  expect(listFormats()).toMatch(/^PDF, EPUB, .*, IIIF and JSON manifests$/);
+  expect(listImages()).toMatch(/^PNG, JPEG, .* and [^,]+$/);
 });
