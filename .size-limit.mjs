@@ -37,7 +37,8 @@ const usual = [
 const apart = [
   part("another model of turning, live", 197, "leaf_models lying_sheet loose_leaf"),
   part("recorded turns", 20, "replay sheet_turn shell_turn"),
-  part("opens a book of any format", 12, "open"),
+  // The table of formats has their names, endings and media types too, as the command reads it.
+  part("opens a book of any format", 12.5, "open"),
   part("photographs of a turn", 9, "photographs images image_header"),
   part("folded pages, leaves torn out", 230, "creasable_book folds line_folds tearing torn_pages"),
   part("pages that are elements, live in the air", 1, "live_drawings"),

@@ -1,5 +1,6 @@
 /**
- * The tables of the docs. What measures writes a table into docs/data, a row a line;
+ * The tables of the docs. What measures writes a table into docs/data, a row a line, and this the
+ * table of formats, from their source;
  * pages include it between the lines `<!-- table NAME -->` and `<!-- /table -->`.
  *
  *   node scripts/docs_tables.mjs            writes the tables into the pages
@@ -78,7 +79,14 @@ export function includeTables(isCheck = false) {
 }
 
 if (process.argv[1] === import.meta.filename) {
-  const faults = includeTables(process.argv.includes("--check"));
+  const isCheck = process.argv.includes("--check");
+  const { formatsTable } = await import("./formats_table.mjs");
+  const formats = await formatsTable();
+  const isNew = JSON.stringify(formats) !== JSON.stringify(readTable("formats"));
+  if (isNew && !isCheck) writeTable("formats", formats);
+  const faults = includeTables(isCheck);
+  if (isNew && isCheck)
+    faults.push("docs/data/formats.json is out of date: run node scripts/docs_tables.mjs");
   for (const fault of faults) console.error(fault);
   if (faults.length > 0) process.exit(1);
 }

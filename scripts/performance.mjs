@@ -9,10 +9,15 @@ import { cpus } from "node:os";
 import { join } from "node:path";
 import { gzipSync } from "node:zlib";
 import { includeTables, writeTable } from "./docs_tables.mjs";
+import { importTs } from "./import_ts.mjs";
 import { momentsTable, openingMoments, openingTable, openingTimes } from "./opening_time.mjs";
 import { scriptTimes } from "./script_time.mjs";
 
 const root = join(import.meta.dirname, "..");
+
+/** The stocks of paper. */
+const { presetStocks } = await importTs("stocks.ts");
+const papers = Object.keys(presetStocks).filter((name) => name !== "board");
 
 /** Peak arithmetic of one core on the paper's step and surface (34.4 kflop, 8 f32 lanes), microseconds. */
 const floor = 0.4;
@@ -119,7 +124,7 @@ function hanging() {
 
 /** The sheet beside the shell over whole turns. */
 function agreement() {
-  const rows = ["bible", "book", "office", "coated", "card"].map((stock) => {
+  const rows = papers.map((stock) => {
     const { corner, edge } = lab("agree", "--stock", stock);
     const of = (turn) => [percent(turn.rms), percent(turn.worst)];
     return [stock, ...of(corner), ...of(edge)];

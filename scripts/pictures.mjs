@@ -12,9 +12,14 @@ import { chromium } from "playwright-core";
 import { serve as serveExamples } from "../examples/serve.mjs";
 import { chromiumArguments, findChromium } from "./chromium.mjs";
 import { filmStrip } from "./film_strip.mjs";
+import { importTs } from "./import_ts.mjs";
 import { driveClock, serve } from "./reader_page.mjs";
 
 const root = join(import.meta.dirname, "..");
+
+/** The stocks of paper. */
+const { presetStocks } = await importTs("stocks.ts");
+const papers = Object.keys(presetStocks).filter((name) => name !== "board");
 const out = join(root, "docs/pictures");
 const wide = { width: 1280, height: 800 };
 const small = { width: 600, height: 450 };
@@ -123,7 +128,7 @@ const pictures = {
     ]),
   ),
   ...Object.fromEntries(
-    ["bible", "book", "office", "coated", "card"].map((stock) => [
+    papers.map((stock) => [
       `stock-${stock}`,
       { page: 18, viewport: small, stock, drag: [0.86, 0.83, 0.66, 0.5] },
     ]),

@@ -94,8 +94,27 @@ impl core::fmt::Display for InvalidStock {
 impl core::error::Error for InvalidStock {}
 
 impl Stock {
-    /// Names of the presets, from the lightest to the heaviest.
-    pub const NAMES: [&'static str; 6] = ["bible", "book", "office", "coated", "card", "board"];
+    /// The presets with their names, from the lightest to the heaviest. The last one is board, of which
+    /// single leaves can be, and no book is as a whole.
+    pub const PRESETS: [(&'static str, Stock); 6] = [
+        ("bible", Self::BIBLE),
+        ("book", Self::BOOK),
+        ("office", Self::OFFICE),
+        ("coated", Self::COATED),
+        ("card", Self::CARD),
+        ("board", Self::BOARD),
+    ];
+
+    /// Their names.
+    pub const NAMES: [&'static str; Self::PRESETS.len()] = {
+        let mut names = [""; Self::PRESETS.len()];
+        let mut k = 0;
+        while k < names.len() {
+            names[k] = Self::PRESETS[k].0;
+            k += 1;
+        }
+        names
+    };
 
     /// Bible paper, 30 g/m^2: it floats.
     pub const BIBLE: Stock = typical(0.030, 40e-6, 0.011e-3, 0.5);
@@ -113,16 +132,8 @@ impl Stock {
 
     /// The preset of a name, None where there is none.
     pub fn named(name: &str) -> Option<Stock> {
-        let presets = [
-            Self::BIBLE,
-            Self::BOOK,
-            Self::OFFICE,
-            Self::COATED,
-            Self::CARD,
-            Self::BOARD,
-        ];
-        let at = Self::NAMES.iter().position(|known| *known == name)?;
-        Some(presets[at])
+        let found = Self::PRESETS.iter().find(|(known, _)| *known == name);
+        found.map(|(_, stock)| *stock)
     }
 
     /// A paper of grammage kg/m^2, caliper m and bending stiffness along and

@@ -4,6 +4,7 @@
 use std::process::Command;
 
 use serde_json::Value;
+use turnleaf_engine::Stock;
 
 fn lab(line: &str) -> Value {
     let mut command = Command::new(env!("CARGO_BIN_EXE_lab"));
@@ -206,7 +207,7 @@ fn assert_damping(found: &Value) {
 
 #[test]
 fn a_level_sheet_falls_at_its_speed() {
-    for stock in ["bible", "book", "office", "coated", "card"] {
+    for stock in Stock::NAMES.iter().filter(|name| **name != "board") {
         let line = format!("drop-sheet --stock {stock}");
         assert_within(&line, &["error.terminal_speed"], 0.02);
     }

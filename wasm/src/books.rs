@@ -69,7 +69,7 @@ fn set_stock(book: &mut Book, stock: Stock) -> bool {
 
 /// The preset stock of a number.
 fn preset(number: usize) -> Option<Stock> {
-    Stock::NAMES.get(number).and_then(|name| Stock::named(name))
+    Stock::PRESETS.get(number).map(|(_, stock)| *stock)
 }
 
 /// Declares exported functions on a book, each a call to the engine.

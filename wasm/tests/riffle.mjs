@@ -4,8 +4,12 @@
  * code that is shipped.
  */
 
-/** Presets of paper by the engine's numbers. */
-export const stocks = ["bible", "book", "office", "coated", "card"];
+import { importTs } from "../../scripts/import_ts.mjs";
+
+const { presetStocks } = await importTs("stocks.ts");
+
+/** Presets by the engine's numbers. */
+export const stocks = Object.keys(presetStocks);
 
 const [RIGHT, LEFT] = [0, 1];
 const OVER = 7;

@@ -21,15 +21,17 @@ const RIFFLES: u32 = 30;
 
 /// Names of what leaves are made of: the presets; custom figures as of paper that
 /// is made; and any figures that a book takes.
-pub const STOCKS: [&str; 7] = [
-    Stock::NAMES[0],
-    Stock::NAMES[1],
-    Stock::NAMES[2],
-    Stock::NAMES[3],
-    Stock::NAMES[4],
-    "custom",
-    "extreme",
-];
+pub const STOCKS: [&str; Stock::NAMES.len() + 1] = {
+    let mut names = ["extreme"; Stock::NAMES.len() + 1];
+    let mut k = 0;
+    // All but board.
+    while k + 1 < Stock::NAMES.len() {
+        names[k] = Stock::NAMES[k];
+        k += 1;
+    }
+    names[k] = "custom";
+    names
+};
 
 /// What pointers do.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]

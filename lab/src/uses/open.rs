@@ -4,7 +4,7 @@ use turnleaf_engine::book::{Board, Book, Paper};
 use turnleaf_engine::{FoldLine, Side, Stock};
 
 /// What leaves are made of.
-pub const STOCKS: [&str; 6] = Stock::NAMES;
+pub const STOCKS: [&str; Stock::NAMES.len()] = Stock::NAMES;
 
 /// Width and height of a page, metres: of a paperback, of a usual book, of a magazine.
 pub const PAGES: [(&str, [f64; 2]); 3] = [

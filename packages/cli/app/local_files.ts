@@ -1,16 +1,19 @@
 /** The files that a reader drops or picks, those of folders too, in the order of a book. */
 
-import { isArchiveName, isMarkdownName, kindOfName } from "../src/file_names.ts";
+import { archiveOfName, formatOfName } from "../../turnleaf/src/sources/formats.ts";
 
 /** Maximum of entries that are looked at, and of folders within each other. */
 const mostEntries = 20_000;
 const deepest = 8;
 
 /** Plain text is no book here: it may be a note beside images. */
-const isBook = (name: string): boolean =>
-  kindOfName(name) === "book" || isArchiveName(name) || isMarkdownName(name);
+const isBook = (name: string): boolean => {
+  const format = formatOfName(name);
+  const isText = format?.type === "text/plain";
+  return archiveOfName(name) !== null || (format !== null && !isImage(name) && !isText);
+};
 
-const isImage = (name: string): boolean => kindOfName(name) === "image" || /\.svg$/i.test(name);
+const isImage = (name: string): boolean => formatOfName(name)?.kind === "image";
 
 /** A file of a folder, and the names that lead to it, its own the last. */
 interface FoundFile {

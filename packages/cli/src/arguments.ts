@@ -4,6 +4,7 @@ import { type FilmCommand, filmHelp, parseFilm } from "./film/film_arguments.ts"
 import { usageProblem } from "./options.ts";
 import { UsageProblem } from "./problem.ts";
 import { type PublishCommand, parsePublish, publishHelp } from "./publish/publish_arguments.ts";
+import { readable } from "./served_formats.ts";
 
 /** A parsed command line. */
 export type Command =
@@ -30,15 +31,29 @@ export interface ServeOptions {
   readonly opens: boolean;
 }
 
+/** Where the help describes commands, and the end of its lines, in characters. */
+const [descriptionAt, lineEnd] = [33, 80];
+
+/** Returns a command with its description, in lines of the help. */
+function describe(command: string, description: string): string {
+  const lines = [`  ${command}`.padEnd(descriptionAt - 1)];
+  for (const word of description.split(" ")) {
+    const longer = `${lines.at(-1)} ${word}`;
+    if (longer.length <= lineEnd) lines[lines.length - 1] = longer;
+    else lines.push(" ".repeat(descriptionAt) + word);
+  }
+  return lines.join("\n");
+}
+
+const described = describe(
+  "turnleaf read BOOK…",
+  `reads ${readable} in their order, or what is at an address (https://…), a IIIF manifest too; several books, or a folder of them, as a shelf`,
+);
+
 export const help = `Turnleaf shows a book whose pages turn as paper turns.
 
   turnleaf BOOK…                 the same as turnleaf read
-  turnleaf read BOOK…            reads a PDF, an EPUB, a MOBI, an AZW3, an FB2, a
-                                 comic (CBZ, CBR, CB7, CBT), Markdown, text, an image
-                                 (PNG, JPEG, WebP, AVIF, GIF), a folder of images in their order, or what
-                                 is at an address (https://…), a IIIF manifest
-                                 too; several books, or a folder of them, as a
-                                 shelf
+${described}
   turnleaf film BOOK --out FILE  films a book as its pages turn, as MP4, WebM,
                                  GIF or numbered pictures (turnleaf film --help)
   turnleaf bake --out FILE       writes the turn of a leaf as glTF, OBJ, JSON or

@@ -1,10 +1,11 @@
 import { realpath, stat } from "node:fs/promises";
 import { basename, resolve } from "node:path";
-import { bookType, isArchiveType, isKindleType, rejectionOf, sniffLength } from "./file_types.ts";
+import { sniffLength } from "../../turnleaf/src/sources/formats.ts";
 import { booksIn, imagePages, listFolder } from "./folder.ts";
 import { inspectPdf } from "./inspect_pdf.ts";
 import { fileProblem, Problem, printable } from "./problem.ts";
 import { openRegular, tooLarge } from "./regular_file.ts";
+import { readable, readableImages, servedFormat } from "./served_formats.ts";
 
 /** A served file: from the disk, or text made at the start. */
 export type ServedFile =
@@ -20,16 +21,6 @@ export interface ServedBook {
   /** Every file of the book, by the exact path of its address. */
   readonly files: ReadonlyMap<string, ServedFile>;
 }
-
-/** Maximum of bytes of a PDF, an image, an archive or a Kindle book, and text: the bounds of the viewer. */
-const mostPdfBytes = 2_000_000_000;
-const mostImageBytes = 100_000_000;
-const mostArchiveBytes = 1_000_000_000;
-const mostTextBytes = 16_000_000;
-
-/** What can be read, for sentences. */
-export const readable =
-  "a PDF, an EPUB, a MOBI, an AZW3, an FB2, a comic (CBZ, CBR, CB7, CBT), Markdown, text, an image (PNG, JPEG, WebP, AVIF, GIF, TIFF, JPEG 2000) or a folder of images";
 
 /**
  * Opens the named file or folder and checks it, so that errors are reported
@@ -109,21 +100,15 @@ async function openFile(file: string, given: string): Promise<ServedBook> {
   const name = basename(file);
   const { start, size } = await readStart(file, given);
   if (start.length === 0) throw new Problem(`${printable(given)} is empty; get the file again.`);
-  const type = bookType(start, name);
-  if (!type) {
-    throw new Problem(`${printable(given)} ${rejectionOf(start)}; ${readable} can be read.`);
+  const format = servedFormat(start, name);
+  if (typeof format === "string") {
+    throw new Problem(`${printable(given)} ${format}; ${readable} can be read.`);
   }
-  const most = mostBytes(type);
+  const { kind, type, most = 0 } = format;
   if (size > most) throw tooLarge(given, most);
-  if (type === "application/pdf") return await openPdf(file, given);
+  if (kind === "pdf") return await openPdf(file, given);
   const src = address(name);
   return { title: printable(name), src, files: new Map([[src, { type, path: file }]]) };
-}
-
-function mostBytes(type: string): number {
-  if (type === "application/pdf") return mostPdfBytes;
-  if (isArchiveType(type) || isKindleType(type)) return mostArchiveBytes;
-  return type.startsWith("text/") ? mostTextBytes : mostImageBytes;
 }
 
 async function openPdf(file: string, given: string): Promise<ServedBook> {
@@ -151,9 +136,7 @@ async function openFolder(
       ? new Problem(
           `${name} holds ${books.length} books and no images; name the one that you mean.`,
         )
-      : new Problem(
-          `${name} holds no pages; put images (PNG, JPEG, WebP, AVIF, GIF) or books into it.`,
-        );
+      : new Problem(`${name} holds no pages; put ${readableImages} or books into it.`);
   }
   return await imageBook(folder, content.image);
 }
@@ -175,18 +158,21 @@ async function imageBook(folder: string, images: readonly string[]): Promise<Ser
 }
 
 /**
- * Returns the first bytes of a file as latin-1 text, and its length.
+ * Returns the first bytes of a file, and its length.
  *
  * @throws Problem
  */
-async function readStart(file: string, given: string): Promise<{ start: string; size: number }> {
+async function readStart(
+  file: string,
+  given: string,
+): Promise<{ start: Uint8Array; size: number }> {
   try {
     const handle = await openRegular(file);
     if (!handle) throw new Problem(`${printable(given)} is not a regular file; name another.`);
     try {
       const { size } = await handle.stat();
       const { bytesRead, buffer } = await handle.read(Buffer.alloc(sniffLength), 0, sniffLength, 0);
-      return { start: buffer.toString("latin1", 0, bytesRead), size };
+      return { start: buffer.subarray(0, bytesRead), size };
     } finally {
       await handle.close();
     }

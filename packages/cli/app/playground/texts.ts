@@ -1,5 +1,6 @@
 /** The texts of the page, in each of its languages. */
 
+import type { LeafStockName } from "turnleaf/models";
 import type { Settings } from "./settings.ts";
 import type { Variant } from "./variants.ts";
 
@@ -20,9 +21,7 @@ export interface Texts {
       string
     >
   >;
-  readonly stocks: Readonly<
-    Record<"own" | "bible" | "book" | "office" | "coated" | "card", string>
-  >;
+  readonly stocks: Readonly<Record<"own" | LeafStockName, string>>;
   readonly preset: string;
   readonly turns: Readonly<Record<"edge" | "corner" | "let-go", string>>;
   readonly pause: string;

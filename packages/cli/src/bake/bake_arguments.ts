@@ -3,15 +3,7 @@ import { models } from "turnleaf/keyframes";
 import type { LeafCrease, LeafStockName, Model } from "turnleaf/models";
 import { oneOf, parseNumber, parseOptions, parseSize } from "../options.ts";
 import { UsageProblem } from "../problem.ts";
-
-/** Every paper, the default first: listed here, so that reading a book loads no model. */
-const stocks = Object.keys({
-  book: 0,
-  bible: 0,
-  office: 0,
-  coated: 0,
-  card: 0,
-} satisfies Record<LeafStockName, 0>) as LeafStockName[];
+import { stockNames, stockWords } from "../stock_names.ts";
 
 /** The output formats. */
 const formats = ["glb", "obj", "json", "tlkf"] as const;
@@ -57,7 +49,7 @@ export const bakeHelp = `turnleaf bake --out FILE writes the turn of a leaf for 
                      fore-edge, to a rest angle of -180 to 180 degrees, above 0
                      toward the recto; once for each crease, in the order in
                      which they are folded
-  --stock NAME       bible, book, office, coated or card (book)
+  --stock NAME       ${stockWords} (book)
   --seconds S        how long the turn or each fold takes; then the leaf comes
                      to rest (0.8)
   --size WxH         of the leaf, millimetres (148x210)
@@ -122,7 +114,7 @@ export function parseBake(args: readonly string[]): BakeCommand {
     model,
     gesture,
     creases,
-    stock: oneOf("stock", values.stock, stocks),
+    stock: oneOf("stock", values.stock, stockNames),
     out,
     format,
     seconds: parseNumber("seconds", values.seconds, 0.8, 0.1, 60),

@@ -1,4 +1,4 @@
-import { imageType } from "../file_types.ts";
+import { imageType } from "../../../turnleaf/src/sources/formats.ts";
 import { Problem, printable } from "../problem.ts";
 import { readRegular } from "../regular_file.ts";
 
@@ -20,7 +20,7 @@ const mostBytes = 100_000_000;
 export async function readPageImage(path: string | undefined): Promise<PageImage | null> {
   if (path === undefined) return null;
   const bytes = await readRegular(path, mostBytes);
-  const type = imageType(bytes.toString("latin1", 0, 16));
+  const type = imageType(bytes);
   if (type === "image/png" || type === "image/jpeg") return { type, bytes };
   throw new Problem(`${printable(path)} is neither PNG nor JPEG; glTF takes no other picture.`);
 }

@@ -1,6 +1,7 @@
 import { extname } from "node:path";
 import { oneOf, parseNumber, parseOptions, parseSize } from "../options.ts";
 import { UsageProblem } from "../problem.ts";
+import { stockNames, stockWords } from "../stock_names.ts";
 import { type FilmFormat, filmFormats } from "./encode.ts";
 import { type FilmAction, parseActions } from "./film_actions.ts";
 import { parseAttributes } from "./film_attributes.ts";
@@ -55,7 +56,7 @@ and GIF. Stopped, the same command goes on where it was.
   --fps N                frames a second, 1 to 120 (30)
   --seconds-per-turn S   how long a leaf is in the air (1)
   --pause S              how long the book lies still between turns or actions (1)
-  --stock NAME           bible, book, office, coated or card (book)
+  --stock NAME           ${stockWords} (book)
   --theme NAME           light, sepia, grey or night (light)
   --chromium PATH        the browser; else CHROMIUM, else one on the PATH
 `;
@@ -101,7 +102,7 @@ export function parseFilm(args: readonly string[]): FilmCommand {
     fps: parseNumber("fps", values.fps, 30, 1, 120),
     turnSeconds: parseNumber("seconds-per-turn", values["seconds-per-turn"], 1, 0.1, 60),
     pauseSeconds: parseNumber("pause", values.pause, 1, 0, 60),
-    stock: oneOf("stock", values.stock, ["book", "bible", "office", "coated", "card"]),
+    stock: oneOf("stock", values.stock, stockNames),
     theme: oneOf("theme", values.theme, ["light", "sepia", "grey", "night"]),
     chromium: values.chromium,
   };

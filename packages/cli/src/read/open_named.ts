@@ -3,8 +3,8 @@
 import { mkdir, open } from "node:fs/promises";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
+import { sniff, sniffLength } from "../../../turnleaf/src/sources/formats.ts";
 import { type BookName, booksAt, openBook, openImages, type ServedBook } from "../book.ts";
-import { isJson, sniffLength } from "../file_types.ts";
 import { fileProblem, Problem, printable } from "../problem.ts";
 import { Progress } from "../progress.ts";
 import { makeTemporary, removeTemporary } from "../temporary.ts";
@@ -102,7 +102,7 @@ export class NamedBooks {
     return await fetchAddress(address, this.#signal, async (fetched) => {
       const pieces = fetched.body(mostBytes)[Symbol.asyncIterator]();
       const start = await readStart(pieces);
-      if (isJson(start.toString("latin1", 0, sniffLength))) {
+      if (sniff({ start, type: "" }) === "json") {
         return await this.#openJson(fetched, await readJson(start, pieces, address));
       }
       const file = await this.#save(fetched, start, pieces);

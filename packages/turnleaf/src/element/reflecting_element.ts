@@ -27,8 +27,8 @@ type Options = ReturnType<typeof bindingOptionsOf>;
 /** An element whose attributes can be read and set as properties. */
 export class ReflectingElement extends Base {
   /**
-   * Address of a book: a PDF, an EPUB, a MOBI, an AZW3, an FB2, a comic, text, an
-   * image, or a manifest of images.
+   * Address of a book: a PDF, an EPUB, a comic, text, an image, a manifest of images, or another
+   * file that can be read.
    * @attribute src
    * @default ""
    */
@@ -74,8 +74,8 @@ export class ReflectingElement extends Base {
   }
 
   /**
-   * The paper of the leaves: 30 (`bible`), 70 (`book`), 80 (`office`), 170
-   * (`coated`) or 250 g/m² (`card`). `stocks` gives single leaves another, and
+   * The paper of the leaves, from 30 g/m² (`bible`) to 250 g/m² (`card`).
+   * `stocks` gives single leaves another, and
    * makes leaves of board. A change in mid-turn waits until the leaf has landed.
    *
    * @attribute stock
@@ -489,7 +489,7 @@ export class ReflectingElement extends Base {
 
   /**
    * Stocks of leaves, each with its pages (from 1) and ranges of them, such as
-   * "card 1-2, coated 17-24, 30": bible, book, office, coated, card or board. A
+   * "card 1-2, coated 17-24, 30": one of those of `stock`, or board. A
    * number alone is of the stock before it. A leaf whose two pages are of
    * different stocks is of the one named last. All others are of `stock`, but for
    * those of `hard-pages`, which are board, and a soft cover's, which are card.

@@ -6,8 +6,7 @@
 import type { ListedPages, PageList } from "../sources/page_list.ts";
 import { BookError } from "../sources/page_source.ts";
 import type { OpenBook } from "./book_lifecycle.ts";
-import type { PageLists } from "./page_lists.ts";
-import { notesOf, numbersOf, type PageNotes, withNotes } from "./page_notes.ts";
+import { joinedLists, listsAmong, movedLists, type PageLists } from "./page_lists.ts";
 import { cleanPages } from "./page_numbers.ts";
 
 /** What torn pages need of their element. */
@@ -33,8 +32,8 @@ export interface TornPagesHost {
 interface TornLeaf {
   readonly id: number;
   readonly pages: ListedPages;
-  /** What lists said of them. */
-  readonly notes: PageNotes;
+  /** What lists said of them, each page named by its place among them, from 1. */
+  readonly lists: PageLists;
   /** Whether the pages after it lie on the faces where they lay. */
   readonly keepsFaces: boolean;
 }
@@ -60,9 +59,11 @@ export class TornPages {
   addTo(lists: PageLists): PageLists {
     const source = this.#source;
     if (this.#host.book() === null || source === null) return lists;
-    return this.#leaves.reduce((all, { notes, pages }) => {
-      const homes = pages.map((page) => source.homeOf(page));
-      return withNotes(all, notes, numbersOf(homes));
+    return this.#leaves.reduce((all, leaf) => {
+      return joinedLists(
+        all,
+        listsOf(leaf, (page) => source.homeOf(page)),
+      );
     }, lists);
   }
 
@@ -72,7 +73,7 @@ export class TornPages {
     if (book === null) return null;
     const leaf = book.source.pagesAt(pages.map((page) => page - 1));
     const id = ++this.#lastId;
-    const notes = notesOf(this.#host.lists, pages, book.source.pageCount);
+    const lists = listsAmong(this.#host.lists, pages, book.source.pageCount);
     let isOut = false;
     let keepFaces = noFaces;
     // The viewer lies at rest: the change is made at once, after those that waited for that.
@@ -80,7 +81,7 @@ export class TornPages {
       () => {
         keepFaces = this.#facesAfter(book.source, leaf);
         const moved = book.source.takeOut(leaf);
-        this.#leaves.push({ id, pages: leaf, notes, keepsFaces: keepFaces !== noFaces });
+        this.#leaves.push({ id, pages: leaf, lists, keepsFaces: keepFaces !== noFaces });
         isOut = true;
         return moved;
       },
@@ -105,7 +106,7 @@ export class TornPages {
     let isBack = false;
     let keepFaces = noFaces;
     // Text that was set anew meanwhile may have fewer pages there.
-    const numbers = () => numbersOf(leaf.pages.map((page) => source.indexOf(page)));
+    const indexOf = (page: ListedPages[number]): number | null => source.indexOf(page);
     try {
       isBack = await book.changePages(
         () => {
@@ -113,7 +114,7 @@ export class TornPages {
           return source.putBack(leaf.pages);
         },
         () => {
-          this.#host.lists = withNotes(this.#host.lists, leaf.notes, numbers());
+          this.#host.lists = joinedLists(this.#host.lists, listsOf(leaf, indexOf));
           keepFaces();
         },
       );
@@ -124,8 +125,8 @@ export class TornPages {
     if (!isBack) return false;
     viewer.sheets.remove(leaf.id);
     this.#host.changed();
-    const first = numbers().find((page) => page !== null);
-    if (first !== undefined) this.#host.show(first);
+    const first = leaf.pages.map(indexOf).find((index) => index !== null);
+    if (typeof first === "number") this.#host.show(first + 1);
     return true;
   }
 
@@ -160,3 +161,11 @@ export class TornPages {
 
 /** Keeps no faces. */
 const noFaces = (): void => undefined;
+
+/** Returns what is said of the pages of a leaf, which lie where `indexOf` says (from 0; null for nowhere). */
+function listsOf(
+  { lists, pages }: TornLeaf,
+  indexOf: (page: ListedPages[number]) => number | null,
+): PageLists {
+  return movedLists(lists, (place) => indexOf(pages[place]), pages.length);
+}

@@ -6,6 +6,7 @@
  */
 
 import type { CreasedMesh } from "../creased_mesh.ts";
+import { presetStocks } from "../stocks.ts";
 
 export type { CreasedMesh };
 
@@ -109,17 +110,17 @@ export function pileHeight({ curves, columns }: Pile): number {
   return curves[2 * columns - 1];
 }
 
-/** The preset stocks of paper, from the lightest to the heaviest; the engine counts them in this order. */
-export const stocks = ["bible", "book", "office", "coated", "card"] as const;
+/** A stock that leaves may have of their own: a preset stock of paper, or grey board of 1.6 mm. */
+export type LeafStockName = keyof typeof presetStocks;
 
-/** A preset stock: 30, 70, 80, 170 or 250 g/m². */
-export type Stock = (typeof stocks)[number];
+/** Their names, from the lightest to the heaviest; the engine counts them in this order. */
+export const leafStockNames = Object.keys(presetStocks) as readonly LeafStockName[];
 
-/** The stocks that leaves may have of their own: those of paper, and grey board of 1.6 mm. */
-export const leafStockNames = ["bible", "book", "office", "coated", "card", "board"] as const;
+/** A preset stock of paper. */
+export type Stock = Exclude<LeafStockName, "board">;
 
-/** A stock that leaves may have of their own. */
-export type LeafStockName = (typeof leafStockNames)[number];
+/** Their names, likewise. */
+export const stocks: readonly Stock[] = leafStockNames.filter((name) => name !== "board");
 
 /** A stock in figures, in the units of the paper trade. */
 export interface StockFigures {

@@ -133,18 +133,6 @@ test("the paper's grid has its 158 springs", () => {
   expect(springsOf(6, 6).length).toBe(158);
 });
 
-test("a named stock has the engine's figures", () => {
-  const ratio = Number(/const GRAIN_RATIO: f64 = ([\d.]+);/.exec(source)?.[1]);
-  const presets = [...source.matchAll(/pub const (\w+): Stock = typical\(([^)]+)\);/g)];
-  const figures = new Map(presets.map(([, name, list]) => [name, list?.split(",").map(Number)]));
-  for (const [name, stock] of Object.entries(leafStocks)) {
-    const [grammage, caliper, across = Number.NaN, friction] =
-      figures.get(name.toUpperCase()) ?? [];
-    const [stiffnessAcross, stiffnessAlong] = [across, ratio * across];
-    expect(stock, name).toEqual({ grammage, caliper, stiffnessAcross, stiffnessAlong, friction });
-  }
-});
-
 test("standard gravity is the engine's", () => {
   expect(standardGravity).toBe(Number(/const GRAVITY: f64 = ([\d.]+);/.exec(source)?.[1]));
 });

@@ -12,6 +12,7 @@
 import type { CreasedMesh } from "../creased_mesh.ts";
 import { type Model, models } from "../model_names.ts";
 import { unpack } from "../packed.ts";
+import { presetStocks } from "../stocks.ts";
 import code from "./models.wasm";
 
 export { type CreasedMesh, type Model, models };
@@ -30,28 +31,13 @@ export interface LeafStock {
   readonly friction?: number;
 }
 
+const { board: _, ...papers } = presetStocks;
+
 /** The name of a preset paper. */
-export type LeafStockName = "bible" | "book" | "office" | "coated" | "card";
+export type LeafStockName = Exclude<keyof typeof presetStocks, "board">;
 
 /** The engine's preset papers, from the lightest to the heaviest. */
-export const leafStocks: Readonly<Record<LeafStockName, LeafStock>> = {
-  bible: stock(0.03, 40e-6, 0.011e-3, 0.5),
-  book: stock(0.07, 90e-6, 0.12e-3, 0.5),
-  office: stock(0.08, 104e-6, 0.19e-3, 0.5),
-  coated: stock(0.17, 140e-6, 0.8e-3, 0.4),
-  card: stock(0.25, 300e-6, 4.5e-3, 0.45),
-};
-
-function stock(grammage: number, caliper: number, across: number, friction: number): LeafStock {
-  const ratio = 2.25;
-  return {
-    grammage,
-    caliper,
-    stiffnessAlong: ratio * across,
-    stiffnessAcross: across,
-    friction,
-  };
-}
+export const leafStocks: Readonly<Record<LeafStockName, LeafStock>> = papers;
 
 /** Standard gravity, m/s^2, as the engine has it. */
 export const standardGravity = 9.80665;

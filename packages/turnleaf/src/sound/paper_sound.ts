@@ -3,11 +3,9 @@
  * ripping of fibres where they tear.
  */
 
-import { type Stock, type StockFigures, stocks } from "../engine/shapes.ts";
+import type { Stock, StockFigures } from "../engine/shapes.ts";
+import { presetStocks } from "../stocks.ts";
 import type { Motion } from "./motion.ts";
-
-/** Grammage of the preset stocks, g/m². */
-const grammages = [30, 70, 80, 170, 250];
 
 /** Bending speed, rad/s, and speed lost on landing, m/s, at which two thirds of the full loudness are reached. */
 const usualBending = 2;
@@ -72,7 +70,7 @@ export class PaperSound {
   /** The paper: the lighter, the higher and softer. Bible paper whispers, card snaps. */
   set stock(stock: Stock | StockFigures) {
     const grammage =
-      typeof stock === "string" ? grammages[stocks.indexOf(stock)] : Math.max(stock.grammage, 1);
+      typeof stock === "string" ? 1000 * presetStocks[stock].grammage : Math.max(stock.grammage, 1);
     const light = Math.sqrt(70 / grammage);
     this.#bend.frequency.value = Math.min(4200 * light, 9000);
     this.#brush.frequency.value = Math.min(700 * light, 3000);

@@ -1,6 +1,6 @@
 import { brokeOff, emptyFile, fetchChecked, readBounded, readStart } from "./fetch_bytes.ts";
+import { type FileStart, sniffLength } from "./formats.ts";
 import { BookError } from "./page_source.ts";
-import { type FileStart, sniffLength } from "./sniff.ts";
 
 /** A file to open, at an address or in memory, with its first bytes read. */
 export interface BookFile extends FileStart {

@@ -1,247 +1,439 @@
 /**
- * The formats of books, and which code reads each: it is imported when such a
- * book is opened. A new format is a row here, and a mark in `sniff` if its
- * first bytes show it.
+ * The formats of files: how each is recognised, named and served. `open_file.ts` has the code that opens
+ * each. It imports nothing of a browser, as the command reads it too.
  */
 
-import type { Archive } from "./archive/archive.ts";
-import { type BookFile, bytesOf, fileIn, type WholeFile } from "./book_file.ts";
+import { readTarHeader } from "./archive/tar_header.ts";
 import { isEpub } from "./epub/epub_names.ts";
 import { limits } from "./limits.ts";
-import { loadPart } from "./load_part.ts";
-import { type ImageBook, type ImagePage, parseManifest } from "./manifest.ts";
-import { isRecord } from "./manifest_checks.ts";
-import { BookError, type PageSource, type Typography } from "./page_source.ts";
-import type { PdfOptions } from "./pdf.ts";
-import { type Kind, rareImageType, sniff, sniffLength } from "./sniff.ts";
 
-/** The settings that a format may need. */
-export interface FormatOptions extends PdfOptions {
-  /** How flowing text is set at first; the default is as the book has it. */
-  readonly typography?: Typography;
-  /** Base of relative addresses in a file that has no address itself. */
-  readonly base: string;
+/** What one part of the code opens. */
+export type OpenedKind =
+  | "pdf"
+  | "epub"
+  | "kindle"
+  | "fb2"
+  | "zip"
+  | "rar"
+  | "7z"
+  | "tar"
+  | "gzip"
+  | "zstd"
+  | "image"
+  | "json"
+  | "text";
+
+/** The kind of a file, as far as its first bytes show. */
+export type Kind = OpenedKind | "html" | "palmdoc" | "xz" | "bzip2" | "zeros" | "unknown";
+
+/** What is known of a file before it is read whole. */
+export interface FileStart {
+  /** Its first `sniffLength` bytes, fewer if it has fewer. */
+  readonly start: Uint8Array;
+  /** The media type that its server or its owner gives; "" if none. */
+  readonly type: string;
 }
 
-/** Opens a file of one format. Rejects with a `BookError`, or with the signal's reason. */
-type Open = (file: BookFile, options: FormatOptions) => Promise<PageSource>;
+/** The first bytes of a file, as the tests of formats read them. */
+interface FirstBytes extends FileStart {
+  /** The bytes as Latin-1. */
+  readonly text: string;
+  /** The same without a mark of byte order and spaces at the beginning. */
+  readonly words: string;
+}
 
-const formats: Readonly<Partial<Record<Kind, Open>>> = {
-  pdf: async ({ name, from, length }, options) => {
-    const { openPdf } = await loadPart(import("./pdf.ts"));
-    return await openPdf({ name, from, ...(length === undefined ? {} : { length }) }, options);
-  },
-  image: async (file, { signal }) => {
-    const { blob } = await file.whole(limits.imageBytes, signal);
-    const { name, from } = file;
-    const found = await pagesOfImage(blob);
-    const isFetched = found.length === 1 && typeof from === "string";
-    const pages = isFetched ? [{ src: { name, read: async () => blob } }] : found;
-    return await openImages({
-      ...{ name, title: name, language: "", direction: "ltr", kind: "scan", pages, file: blob },
-    });
-  },
-  json: async (file, options) => {
-    const whole = await file.whole(limits.manifestBytes, options.signal);
-    const value = await parseJson(whole, file.name);
-    const base = whole.url || options.base;
-    if (isIiif(value)) {
-      const { openIiif } = await loadPart(import("./iiif/iiif_source.ts"));
-      return openIiif(value, base, file.name);
-    }
-    return await openImages(parseManifest(value, base, file.name));
-  },
-  text: async (file, { signal, typography }) => {
-    const { blob } = await file.whole(limits.markupBytes, signal);
-    const { openText } = await loadPart(import("./text/text_book.ts"));
-    return await openText(blob, file.name, file.type, typography);
-  },
-  zip: async (file, options) => {
-    const { blob } = await file.whole(limits.archiveBytes, options.signal);
-    const { openZip } = await loadPart(import("./archive/zip.ts"));
-    return await openArchived(await openZip(blob, file.name), blob, file.name, options);
-  },
-  tar: async (file, options) => {
-    const { blob } = await file.whole(limits.archiveBytes, options.signal);
-    const { openTar } = await loadPart(import("./archive/tar.ts"));
-    return await openArchived(await openTar(blob, file.name), blob, file.name, options);
-  },
-  rar: openUnpacked,
-  "7z": openUnpacked,
-  gzip: openPacked,
-  zstd: openPacked,
-  kindle: async (file, { signal, typography }) => {
-    const { blob } = await file.whole(limits.archiveBytes, signal);
-    const { openKindle } = await loadPart(import("./kindle/kindle.ts"));
-    return await openKindle(blob, file.name, typography);
-  },
-  fb2: async (file, { signal, typography }) => {
-    const { blob } = await file.whole(limits.archivedBytes, signal);
-    const { openFb2 } = await loadPart(import("./fb2/fb2.ts"));
-    return await openFb2(blob, file.name, typography);
-  },
+/** A format of files. */
+export interface FileFormat {
+  readonly kind: Kind;
+  /** Its media type. */
+  readonly type: string;
+  /** How sentences name it: one name for each kind of file, if several are alike. */
+  readonly labels?: readonly string[];
+  /** With which others lists of what can be read name it; undefined if they leave it out. */
+  readonly family?: "book" | "comic" | "text" | "image" | "manifest";
+  /** Endings of names that say it, in lower case, without the first dot. */
+  readonly endings?: readonly string[];
+  /** Endings of names of archives, which hold a book or something else. */
+  readonly archiveEndings?: readonly string[];
+  /** Returns whether a file is of it. */
+  readonly is?: (file: FirstBytes) => boolean;
+  /** Returns whether an archive is of it, by the names of the files in it. */
+  readonly isIn?: (names: readonly string[]) => boolean;
+  /** Maximum of bytes of a file; undefined for what is not opened. */
+  readonly most?: number;
+  /** If true, few browsers show such an image. */
+  readonly isRare?: boolean;
+  /** Why it is not opened, as the end of a sentence about a file. */
+  readonly reason?: string;
+}
+
+/** A PDF's mark, and the maximum of bytes that may precede it. */
+const pdfMark = "%PDF-";
+const mostBefore = 1024;
+
+/** How many first bytes show the format. */
+export const sniffLength: number = mostBefore + pdfMark.length;
+
+/** Where a Palm database has its type: after its name, its dates and the like. */
+const palmTypeAt = 60;
+
+/** Returns a test for one of several marks at a place, in bytes. */
+const at =
+  (offset: number, ...marks: readonly string[]) =>
+  ({ text }: FirstBytes): boolean =>
+    marks.some((mark) => text.startsWith(mark, offset));
+
+/** Returns the row of an image, with what else it says. */
+const image = (
+  label: string,
+  type: string,
+  endings: readonly string[],
+  is: FileFormat["is"],
+  more: Partial<FileFormat> = {},
+): FileFormat => {
+  const most = limits.imageBytes;
+  return { kind: "image", type, labels: [label], family: "image", endings, is, most, ...more };
 };
 
-/** Returns the pages of an image: of a TIFF there may be several. Rejects if it cannot be read. */
-export async function pagesOfImage(image: Blob): Promise<readonly ImagePage[]> {
-  const start = new Uint8Array(await image.slice(0, sniffLength).arrayBuffer());
-  if (rareImageType(start) === "image/tiff") {
-    const { pagesOfTiff } = await loadPart(import("./rare_images/tiff_pages.ts"));
-    const pages = await pagesOfTiff(image);
-    if (pages.length > 1) return pages.map(({ image, size }) => ({ src: image, size }));
-  }
-  return [{ src: image }];
-}
-
-/** Opens a book that is packed by itself, as the tar of a comic may be. */
-async function openPacked(file: BookFile, options: FormatOptions): Promise<PageSource> {
-  const { blob } = await file.whole(limits.archiveBytes, options.signal);
-  const { unpackedFile } = await loadPart(import("./archive/packed_file.ts"));
-  const kind = sniff(file);
-  const inner = await fileIn(await unpackedFile(blob, kind, file.name), file.name);
-  if (formats[sniff(inner)] !== openPacked) return await openFile(inner, options);
-  throw new BookError(`${file.name} is packed several times over; unpack it first.`, {
-    code: "unsupported",
-    source: file.name,
-  });
-}
-
-/** Opens a book in an archive of RAR or 7-Zip. */
-async function openUnpacked(file: BookFile, options: FormatOptions): Promise<PageSource> {
-  const { blob } = await file.whole(limits.archiveBytes, options.signal);
-  const { openUnpacked } = await loadPart(import("./archive/unpacked_archive.ts"));
-  const archive = await openUnpacked(blob, file.name, options.signal);
-  return await openArchived(archive, blob, file.name, options);
-}
-
-/** Opens the book that the files of an archive are. */
-async function openArchived(
-  archive: Archive,
-  blob: Blob,
-  name: string,
-  { typography }: FormatOptions,
-): Promise<PageSource> {
-  const open = archived.find(({ isIn }) => isIn(archive.names))?.open ?? openComic;
-  return await open(archive, blob, name, typography);
-}
-
-/** Returns the book that a file in an archive is; the book then closes the archive. */
-type OpenArchive = (
-  archive: Archive,
-  file: Blob,
-  name: string,
-  typography?: Typography,
-) => Promise<PageSource>;
-
-const openComic: OpenArchive = async (archive, file, name) => {
-  const comic = await loadPart(import("./comics/comic.ts"));
-  return await comic.openComic(archive, file, name);
-};
-
-/** Formats that are archives of files, but for archives of images. */
-const archived: readonly {
-  isIn(names: readonly string[]): boolean;
-  readonly open: OpenArchive;
-}[] = [
-  {
-    isIn: isEpub,
-    open: async (archive, file, name, typography) => {
-      const { openEpub } = await loadPart(import("./epub/epub.ts"));
-      return await openEpub(archive, file, name, typography);
-    },
-  },
-  {
-    isIn: (names) => names.filter(isFictionBookName).length === 1,
-    open: async (archive, _file, name, typography) => {
-      const { openFb2 } = await loadPart(import("./fb2/fb2.ts"));
-      try {
-        const bytes = await archive.read(archive.names.find(isFictionBookName) ?? "");
-        return await openFb2(new Blob([bytes]), name, typography);
-      } finally {
-        archive.close();
-      }
-    },
-  },
-];
+/** Few browsers show it, and a decoder is here; or none is, so that lists leave it out. */
+const decoded: Partial<FileFormat> = { isRare: true };
+const undecoded: Partial<FileFormat> = { isRare: true, family: undefined };
 
 const isFictionBookName = (name: string): boolean => /\.fb2$/i.test(name);
 
-/** The code that files of some names mostly need. */
-const likely: readonly (readonly [
-  name: RegExp,
-  load: (options: PdfOptions) => Promise<unknown>,
-])[] = [
-  [/\.pdf$/i, async ({ pdfWorker }) => (await import("./pdf.ts")).preparePdf(pdfWorker)],
-  [/\.(epub|cbz)$/i, () => import("./archive/zip.ts")],
-  [/\.epub$/i, () => import("./epub/epub.ts")],
-  [
-    /\.(cbr|cb7|rar|7z)$/i,
-    async () => (await import("./archive/unpacked_archive.ts")).prepareUnpacking(),
-  ],
-  [/\.cbt$/i, () => import("./archive/tar.ts")],
-  [/\.(cb[zr7t])$/i, () => import("./comics/comic.ts")],
-  [/\.(mobi|azw3?)$/i, () => import("./kindle/kindle.ts")],
-  [/\.fb2$/i, () => import("./fb2/fb2.ts")],
+/**
+ * All formats. A file is of the first whose test it passes, so that a certain mark comes before what is
+ * searched for, and text last.
+ */
+export const formats: readonly FileFormat[] = [
+  image("PNG", "image/png", ["png"], at(0, "\x89PNG\r\n\x1a\n")),
+  image("JPEG", "image/jpeg", ["jpg", "jpeg", "jpe", "jfif"], at(0, "\xff\xd8\xff")),
+  image("WebP", "image/webp", ["webp"], at(8, "WEBP")),
+  image("AVIF", "image/avif", ["avif"], at(4, "ftypavif", "ftypavis")),
+  image("GIF", "image/gif", ["gif"], at(0, "GIF87a", "GIF89a")),
+  // Its mark is short, so that the four bytes which it leaves empty are tested too.
+  image("BMP", "image/bmp", ["bmp"], (file) => at(0, "BM")(file) && at(6, "\0\0\0\0")(file)),
+  image("SVG", "image/svg+xml", ["svg"], isSvg),
+  // BigTIFF too.
+  image("TIFF", "image/tiff", ["tif", "tiff"], at(0, "II*\0", "MM\0*", "II+\0", "MM\0+"), decoded),
+  image(
+    "JPEG 2000",
+    "image/jp2",
+    ["jp2", "jpx", "j2k", "j2c", "jpf"],
+    (file) => at(4, "jP  \r\n\x87\n")(file) || at(0, "\xff\x4f\xff\x51")(file),
+    decoded,
+  ),
+  image("HEIC", "image/heic", ["heic", "heif"], at(4, "ftyphei", "ftypmif1"), undecoded),
+  image(
+    "JPEG XL",
+    "image/jxl",
+    ["jxl"],
+    (file) => at(0, "\xff\x0a")(file) || at(4, "JXL \r\n\x87\n")(file),
+    undecoded,
+  ),
+  {
+    kind: "tar",
+    type: "application/x-tar",
+    labels: ["CBT"],
+    family: "comic",
+    endings: ["cbt"],
+    archiveEndings: ["tar"],
+    is: ({ start }) => readTarHeader(start) !== null,
+    most: limits.archiveBytes,
+  },
+  {
+    kind: "pdf",
+    type: "application/pdf",
+    labels: ["PDF"],
+    family: "book",
+    endings: ["pdf"],
+    is: ({ text }) => text.includes(pdfMark),
+    most: limits.pdfBytes,
+  },
+  {
+    kind: "epub",
+    type: "application/epub+zip",
+    labels: ["EPUB"],
+    family: "book",
+    endings: ["epub"],
+    isIn: isEpub,
+    most: limits.archiveBytes,
+  },
+  {
+    kind: "zip",
+    type: "application/zip",
+    labels: ["CBZ"],
+    family: "comic",
+    endings: ["cbz"],
+    archiveEndings: ["zip"],
+    // A ZIP of no files has an end alone.
+    is: at(0, "PK\x03\x04", "PK\x05\x06"),
+    most: limits.archiveBytes,
+  },
+  {
+    kind: "rar",
+    type: "application/vnd.rar",
+    labels: ["CBR"],
+    family: "comic",
+    endings: ["cbr"],
+    archiveEndings: ["rar"],
+    is: at(0, "Rar!\x1a\x07"),
+    most: limits.archiveBytes,
+  },
+  {
+    kind: "7z",
+    type: "application/x-7z-compressed",
+    labels: ["CB7"],
+    family: "comic",
+    endings: ["cb7"],
+    archiveEndings: ["7z"],
+    is: at(0, "7z\xbc\xaf\x27\x1c"),
+    most: limits.archiveBytes,
+  },
+  { kind: "gzip", type: "application/gzip", is: at(0, "\x1f\x8b\x08"), most: limits.archiveBytes },
+  {
+    kind: "zstd",
+    type: "application/zstd",
+    is: at(0, "\x28\xb5\x2f\xfd"),
+    most: limits.archiveBytes,
+  },
+  {
+    kind: "xz",
+    type: "application/x-xz",
+    is: at(0, "\xfd7zXZ\0"),
+    reason: "is packed by XZ, which is not unpacked here",
+  },
+  {
+    kind: "bzip2",
+    type: "application/x-bzip2",
+    // A digit between says how much was packed at a time.
+    is: ({ text }) => /^BZh[1-9]1AY&SY/.test(text),
+    reason: "is packed by bzip2, which is not unpacked here",
+  },
+  {
+    kind: "kindle",
+    type: "application/x-mobipocket-ebook",
+    labels: ["MOBI", "AZW3"],
+    family: "book",
+    endings: ["mobi", "azw", "azw3"],
+    is: at(palmTypeAt, "BOOKMOBI"),
+    most: limits.archiveBytes,
+  },
+  {
+    kind: "palmdoc",
+    type: "application/vnd.palm",
+    is: at(palmTypeAt, "TEXtREAd"),
+    reason: "is a text of a Palm (PalmDOC), which is not read",
+  },
+  {
+    kind: "fb2",
+    type: "application/x-fictionbook+xml",
+    labels: ["FB2"],
+    family: "book",
+    endings: ["fb2", "fb2.zip"],
+    is: isFictionBook,
+    isIn: (names) => names.filter(isFictionBookName).length === 1,
+    most: limits.archivedBytes,
+  },
+  {
+    kind: "text",
+    type: "text/markdown",
+    labels: ["Markdown"],
+    family: "text",
+    endings: ["md", "markdown"],
+    // It may begin as a web page or JSON does.
+    is: (file) => file.type === "text/markdown" && isText(file),
+    most: limits.markupBytes,
+  },
+  {
+    kind: "json",
+    type: "application/json",
+    labels: ["IIIF and JSON manifests"],
+    family: "manifest",
+    // A manifest that is an array has strings or objects: [text] is a link of Markdown.
+    is: ({ words }) => /^(\{|\[\s*["{\]])/.test(words),
+    most: limits.manifestBytes,
+  },
+  {
+    kind: "html",
+    type: "text/html",
+    is: ({ words }) => /^<(!doctype html|html|\?xml|!--|head|body)/i.test(words),
+    reason: "is a web page, not a book",
+  },
+  {
+    kind: "text",
+    type: "text/plain",
+    labels: ["text"],
+    family: "text",
+    endings: ["txt"],
+    is: isText,
+    most: limits.markupBytes,
+  },
+  {
+    kind: "zeros",
+    type: "application/octet-stream",
+    is: ({ text }) => /^\0{512,}$/.test(text),
+    reason: "has no pages but only zeros, as an empty tar or a file that was not fetched whole",
+  },
 ];
 
 /**
- * Starts loading the code that a file's name makes likely, while its first bytes are awaited.
- * They alone decide what it is.
+ * Returns the format of a file by its first bytes, whatever its name; null if it is none of these. The
+ * media type counts only where bytes do not tell. What an archive holds is not looked at.
+ *
+ * @param among the formats that it may be of
  */
-export function prepareFor(address: string, options: PdfOptions): void {
-  const path = address.split(/[?#]/, 1)[0] ?? "";
-  for (const [name, load] of likely) {
-    // What fails is reported where it is used.
-    if (name.test(path)) load(options).catch(() => {});
-  }
+export function formatOfFile(
+  { start, type }: FileStart,
+  among: readonly FileFormat[] = formats,
+): FileFormat | null {
+  const text = latin1(start.subarray(0, sniffLength));
+  const file = { start, type, text, words: wordsOf(text) };
+  return among.find(({ is }) => is?.(file)) ?? null;
 }
 
-/** Opens a file by the format that its first bytes show, whatever its name. */
-export async function openFile(file: BookFile, options: FormatOptions): Promise<PageSource> {
-  const kind = sniff(file);
-  const open = formats[kind];
-  if (open) return await open(file, options);
-  throw new BookError(`${file.name} ${reasons[kind] ?? "is of an unknown format"}; ${readable}`, {
-    code: "unsupported",
-    source: file.name,
+/** Returns the kind of a file, as `formatOfFile` finds it. */
+export function sniff(file: FileStart): Kind {
+  return formatOfFile(file)?.kind ?? "unknown";
+}
+
+const byEnding = mapOf(({ endings }) => endings);
+const byArchiveEnding = mapOf(({ archiveEndings }) => archiveEndings);
+
+function mapOf(
+  endingsOf: (format: FileFormat) => readonly string[] | undefined,
+): ReadonlyMap<string, FileFormat> {
+  return new Map(
+    formats.flatMap((format) => (endingsOf(format) ?? []).map((ending) => [ending, format])),
+  );
+}
+
+/** Returns the format that the ending of a name says; null if it says none, or an archive of any files. */
+export function formatOfName(name: string): FileFormat | null {
+  const parts = name.toLowerCase().split(".").slice(1).slice(-2);
+  // The longest ending first: "a.fb2.zip" is a FictionBook.
+  return byEnding.get(parts.join(".")) ?? byEnding.get(parts.at(-1) ?? "") ?? null;
+}
+
+/** Returns the format of archives that the ending of a name says; null if it says none. */
+export function archiveOfName(name: string): FileFormat | null {
+  return byArchiveEnding.get(/\.([^.]*)$/.exec(name)?.[1]?.toLowerCase() ?? "") ?? null;
+}
+
+/** Returns the format of an archive by the names of the files in it; null if it is one of images. */
+export function formatOfArchive(names: readonly string[]): FileFormat | null {
+  return formats.find(({ isIn }) => isIn?.(names)) ?? null;
+}
+
+/** The families in the order of lists, each with the word before its labels. */
+const families: readonly (readonly [family: FileFormat["family"], word: string])[] = [
+  ["book", ""],
+  ["comic", "comics"],
+  ["text", ""],
+  ["image", "images"],
+  ["manifest", ""],
+];
+
+/** Returns the names of formats for a sentence, such as "PDF, comics (CBZ, CBR), images (PNG, JPEG)". */
+export function listFormats(listed: readonly FileFormat[] = formats): string {
+  const parts = families.flatMap(([family, word]) => {
+    const labels = labelsOf(listed, family);
+    if (labels.length === 0) return [];
+    return word === "" ? labels : [`${word} (${labels.join(", ")})`];
   });
+  return parts.join(", ");
 }
 
-/** Opens a book of images. */
-export async function openImages(book: ImageBook): Promise<PageSource> {
-  const { openImageBook } = await loadPart(import("./images.ts"));
-  return await openImageBook(book);
+/** Returns the names of the images that can be shown, for a sentence. */
+export function listImages(): string {
+  const labels = labelsOf(formats, "image");
+  return `${labels.slice(0, -1).join(", ")} and ${labels.at(-1)}`;
 }
 
-const readable =
-  "PDF, EPUB, MOBI, AZW3, FB2, comics (CBZ, CBR, CB7, CBT), Markdown, text, images (PNG, JPEG, WebP, AVIF, GIF, BMP, SVG, TIFF, JPEG 2000), IIIF and JSON manifests can be read.";
+const labelsOf = (listed: readonly FileFormat[], family: FileFormat["family"]): string[] =>
+  listed.flatMap((format) => (format.family === family ? (format.labels ?? []) : []));
 
-const reasons: Readonly<Partial<Record<Kind, string>>> = {
-  html: "is a web page, not a book",
-  palmdoc: "is a text of a Palm (PalmDOC), which is not read",
-  xz: "is packed by XZ, which is not unpacked here",
-  bzip2: "is packed by bzip2, which is not unpacked here",
-  zeros: "has no pages but only zeros, as an empty tar or a file that was not fetched whole",
-};
+/** The formats of images. */
+const images: readonly FileFormat[] = formats.filter(({ kind }) => kind === "image");
+
+/** Returns whether a media type is of images that browsers show. */
+export function isShownType(type: string): boolean {
+  return images.some((format) => format.type === type && !format.isRare);
+}
+
+/** Returns how a sentence names the format of an image that few browsers show; undefined for others. */
+export function unshownFormat(type: string): string | undefined {
+  const [label] = images.find((format) => format.isRare && format.type === type)?.labels ?? [];
+  return label && `a ${label}`;
+}
+
+/** Returns the media type of an image that few browsers show by its first bytes; null if it is none. */
+export function rareImageType(start: Uint8Array): string | null {
+  const format = imageFormat(start);
+  return format?.isRare ? format.type : null;
+}
+
+/** Returns the media type of an image that browsers show by its first bytes; null if they are not such an image's. */
+export function imageType(start: Uint8Array): string | null {
+  const format = imageFormat(start);
+  return format && !format.isRare ? format.type : null;
+}
+
+function imageFormat(start: Uint8Array): FileFormat | null {
+  return formatOfFile({ start, type: "" }, images);
+}
+
+/** Returns whether a file is a drawing. Markdown may begin with one. */
+function isSvg({ type, words }: FirstBytes): boolean {
+  return (
+    type !== "text/markdown" &&
+    /^<(\?xml|!--|!doctype svg|([\w-]+:)?svg[\s>])/i.test(words) &&
+    /<([\w-]+:)?svg[\s>]/i.test(words) &&
+    !/<html[\s>]/i.test(words)
+  );
+}
+
+/** What a FictionBook begins with, and its root. */
+const fictionBook = [/^<(\?xml|!--|!doctype fictionbook|fictionbook)/i, /<fictionbook[\s>]/i];
+
+/** Returns whether a file is a FictionBook, in UTF-16 too. */
+function isFictionBook({ text }: FirstBytes): boolean {
+  const words = wordsOf(text.replace(/^(\xff\xfe|\xfe\xff)/, "").replaceAll("\0", ""));
+  return fictionBook.every((mark) => mark.test(words));
+}
+
+/** Control characters that neither terminals and printers know nor DOS writes at the end of a file. */
+// biome-ignore lint/suspicious/noControlCharactersInRegex: these are looked for
+const strangeControls = /[\x00-\x06\x10-\x19\x1c-\x1f\x7f]/g;
+
+/** Bytes of text, at least, for each of these, unless the media type says text: code has one in fewer. */
+const leastText = 10;
 
 /**
- * Returns whether JSON is of IIIF, by the context that it names: version 1 of Presentation had that of
- * Shared Canvas.
+ * Returns whether bytes are text: UTF-8, UTF-16 by its mark, or, where the
+ * media type says text, in any encoding. Old programs wrote control characters into text, such as the
+ * end of a DOS file or what terminals print bold; a byte of 0 none did, and others are rare in it.
  */
-function isIiif(value: unknown): value is Record<string, unknown> {
-  const contexts = isRecord(value) ? [value["@context"]].flat() : [];
-  const iiif = /iiif\.io\/api\/|shared-canvas\.org\/ns\/context/;
-  return contexts.some((one) => typeof one === "string" && iiif.test(one));
+function isText({ start, type, text }: FirstBytes): boolean {
+  if (start.length === 0) return false;
+  if (/^(\xff\xfe|\xfe\xff)/.test(text)) return true;
+  if (start.includes(0)) return false;
+  const strange = text.match(strangeControls)?.length ?? 0;
+  if (strange * leastText > start.length && !type.startsWith("text/")) return false;
+  try {
+    // The last character may be cut off.
+    const stream = start.length >= sniffLength;
+    new TextDecoder("utf-8", { fatal: true }).decode(start, { stream });
+    return true;
+  } catch {
+    return type.startsWith("text/");
+  }
 }
 
-async function parseJson({ blob }: WholeFile, name: string): Promise<unknown> {
-  const bytes = await bytesOf(blob, name);
-  try {
-    return JSON.parse(new TextDecoder().decode(bytes));
-  } catch {
-    throw new BookError(`${name} is no valid JSON; correct it and open it again.`, {
-      code: "damaged",
-      source: name,
-    });
-  }
+function wordsOf(text: string): string {
+  return text.replace(/^\xef\xbb\xbf/, "").trimStart();
+}
+
+function latin1(bytes: Uint8Array): string {
+  return String.fromCharCode(...bytes);
 }

@@ -9,9 +9,9 @@ import { JPG } from "image-size/types/jpg";
 import { PNG } from "image-size/types/png";
 import { WEBP } from "image-size/types/webp";
 import { exifOrientation } from "./exif_orientation.ts";
+import { imageType, type Kind, rareImageType, sniff, sniffLength } from "./formats.ts";
 import { loadPart } from "./load_part.ts";
 import type { PageSize } from "./page_source.ts";
-import { imageType, type Kind, rareImageType, sniff, sniffLength } from "./sniff.ts";
 
 /**
  * Bytes in which a header is searched for: a JPEG's may come after a large

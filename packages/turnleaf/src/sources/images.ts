@@ -1,6 +1,7 @@
 import { nameOfUrl } from "./book_text.ts";
 import { cropImage } from "./crop_image.ts";
 import { fetchChecked, readBounded } from "./fetch_bytes.ts";
+import { listImages } from "./formats.ts";
 import { claimedSize, kindOfFile, sizeFromHeader, typedImage } from "./image_header.ts";
 import { fitPixels, isPageSize, limits, wholePage } from "./limits.ts";
 import { loadPart } from "./load_part.ts";
@@ -312,7 +313,7 @@ export class ImageSource implements PageSource {
     return new BookError(
       isSvg(image)
         ? `${place} is damaged, or this page's Content-Security-Policy lacks data: in img-src, by which an SVG is drawn.`
-        : `${place} is damaged or no image; PNG, JPEG, WebP, AVIF, GIF, BMP, SVG, TIFF and JPEG 2000 can be shown.`,
+        : `${place} is damaged or no image; ${listImages()} can be shown.`,
       { code: "damaged", page: index + 1, source: this.#book.name },
     );
   }

@@ -1,10 +1,10 @@
 import { fileAt, fileIn } from "./book_file.ts";
 import { cleanText, nameOfUrl } from "./book_text.ts";
-import { openFile, openImages, pagesOfImage, prepareFor } from "./formats.ts";
 import { handedOut } from "./handed_out.ts";
 import { type Bytes, blobOf, elementsOf, filesOf, wrongKind } from "./input_values.ts";
 import { loadPart } from "./load_part.ts";
 import { type Manifest, type ManifestPage, parseManifest } from "./manifest.ts";
+import { openFile, openImages, pagesOfImage, prepareFor } from "./open_file.ts";
 import { pageOfHash } from "./page_hash.ts";
 import { PageList } from "./page_list.ts";
 import { BookError, type PageSource, type Typography } from "./page_source.ts";

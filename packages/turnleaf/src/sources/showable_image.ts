@@ -1,11 +1,11 @@
 /** Images as browsers show them, whatever their format. */
 
 import { dataUrl } from "./data_url.ts";
+import { unshownFormat } from "./formats.ts";
 import { claimedSize, typedImage } from "./image_header.ts";
 import { limits } from "./limits.ts";
 import { loadPart } from "./load_part.ts";
 import type { BookErrorDetail } from "./page_source.ts";
-import { unshownFormat } from "./sniff.ts";
 
 /**
  * Returns an image with the type found in its first bytes, whatever its server or its file's name says:

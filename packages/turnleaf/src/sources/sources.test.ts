@@ -1,8 +1,8 @@
 import { describe, expect, it } from "vitest";
 import { cleanLanguage, cleanText, nameOfUrl } from "./book_text.ts";
+import { sniff } from "./formats.ts";
 import { fitPixels, limits } from "./limits.ts";
 import { SharedTasks } from "./shared_tasks.ts";
-import { sniff } from "./sniff.ts";
 
 const bytes = (text: string): Uint8Array => Uint8Array.from(text, (c) => c.charCodeAt(0));
 

@@ -1,8 +1,8 @@
 /** Files that are packed each by itself, by gzip or Zstandard. */
 
+import type { Kind } from "../formats.ts";
 import { limits } from "../limits.ts";
 import { BookError } from "../page_source.ts";
-import type { Kind } from "../sniff.ts";
 import { ZstdStream } from "./zstd_stream.ts";
 
 /**

@@ -1,8 +1,8 @@
 import { expect, test } from "vitest";
 import { tar } from "../../for_tests/stored_archives.ts";
+import { sniff } from "../formats.ts";
 import { limits } from "../limits.ts";
 import { messageOf } from "../message_of.ts";
-import { sniff } from "../sniff.ts";
 import { openTar } from "./tar.ts";
 
 const text = (bytes: Uint8Array): string => new TextDecoder().decode(bytes);

@@ -2,20 +2,21 @@
 
 import type { Archive } from "../archive/archive.ts";
 import { cleanText } from "../book_text.ts";
+import { archiveOfName, formatOfName, imageType, rareImageType, sniffLength } from "../formats.ts";
 import { claimedSize, sizeFromHeader, typedImage } from "../image_header.ts";
 import { ImageSource } from "../images.ts";
 import { limits } from "../limits.ts";
 import { loadPart } from "../load_part.ts";
 import type { ImagePage, StoredImage } from "../manifest.ts";
 import { BookError, type OutlineEntry, type PageSize, type PageSource } from "../page_source.ts";
-import { imageType, rareImageType, sniffLength } from "../sniff.ts";
 import { formatOf, type PageFormat, stripPages } from "../strip_pages.ts";
 import { WarningList, warningOf } from "../warnings.ts";
 import { decodeXml } from "../xml_text.ts";
 import { type ComicInfo, noInfo, readComicInfo } from "./comic_info.ts";
 
-const imageName =
-  /\.(jpe?g|jpe|jfif|png|gif|webp|avif|bmp|svg|tiff?|jp2|jpx|j2[ck]|jpf|jxl|hei[cf])$/i;
+/** Returns whether a name says that a file is an image. */
+const isImageName = (name: string): boolean => formatOfName(name)?.kind === "image";
+
 /** What systems and shared drives leave in archives beside their pages: folders and hidden files. */
 const junk =
   /^(\.|__MACOSX$|@eaDir$|@__thumb$|#recycle$|\$RECYCLE\.BIN$|lost\+found$|System Volume Information$)/i;
@@ -24,7 +25,8 @@ const junk =
 const otherName = /\.(xml|txt|nfo|html?|json|md|db|ini|url|opf|ncx|css|js|sfv|acbf|zip|rar|7z)$/i;
 
 /** Archives within an archive, which may hold pages. */
-const packedName = /\.(zip|rar|7z|cb[zr7])$/i;
+const isArchiveName = (name: string): boolean =>
+  formatOfName(name)?.family === "comic" || archiveOfName(name) !== null;
 
 /** The name of a front cover, which stands before its first page in any order of names. */
 const coverName = /^(front[ _.-]?)?cover([ _.-]?(front|0{0,3}1?))?$/i;
@@ -116,15 +118,15 @@ function checkCount(count: number, name: string): void {
  */
 async function pagesIn(archive: Archive, leftOut: (path: string) => void): Promise<string[]> {
   const names = archive.names.filter((name) => !name.split("/").some((step) => junk.test(step)));
-  const images = names.filter((name) => imageName.test(name));
+  const images = names.filter((name) => isImageName(name));
   // Where names say nothing, the bytes do.
-  const unnamed = names.filter((name) => !imageName.test(name) && !otherName.test(name));
+  const unnamed = names.filter((name) => !isImageName(name) && !otherName.test(name));
   for (const name of unnamed.slice(0, limits.pages)) {
     const start = await archive.readStart(name, sniffLength).catch(() => null);
     if (start !== null && (imageType(start) ?? rareImageType(start))) images.push(name);
     else if (/\.[^./]+$/.test(name)) leftOut(name);
   }
-  for (const name of names) if (packedName.test(name)) leftOut(name);
+  for (const name of names) if (isArchiveName(name)) leftOut(name);
   return inOrder(images);
 }
 

@@ -2,9 +2,9 @@
 
 import { dataUrl } from "../data_url.ts";
 import { fontType } from "../font_type.ts";
+import { imageType, sniffLength } from "../formats.ts";
 import { limits } from "../limits.ts";
 import { pictureData } from "../showable_image.ts";
-import { imageType, sniffLength } from "../sniff.ts";
 import { mark } from "./kindle_header.ts";
 
 /** Returns a resource by its number, from 0. Rejects if there is none, or it has more than `most` bytes. */

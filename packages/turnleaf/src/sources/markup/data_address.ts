@@ -1,15 +1,12 @@
 /** Pictures and fonts that are written into markup and style as `data:` addresses. */
 
+import { isShownType, sniffLength, unshownFormat } from "../formats.ts";
 import { claimedSize, typedImage } from "../image_header.ts";
 import { limits } from "../limits.ts";
 import { pictureData } from "../showable_image.ts";
-import { sniffLength, unshownFormat } from "../sniff.ts";
 
 /** Bytes in which a picture's size is searched for. */
 const headLength = 1 << 20;
-
-/** Kinds of pictures whose sizes are known before they are decoded. */
-const knownKind = /^image\/(png|jpeg|gif|webp|avif|bmp|svg\+xml)$/;
 
 /**
  * Returns an address of data if it is a font, or a picture of a known kind that is
@@ -19,7 +16,7 @@ export async function checkedData(address: string): Promise<string | null> {
   if (/^data:font\//i.test(address)) return address;
   const image = /^data:image\//i.test(address) ? await typedData(address, headLength) : null;
   if (image && unshownFormat(image.type) !== undefined) return await rarePicture(address);
-  if (image === null || !knownKind.test(image.type)) return null;
+  if (image === null || !isShownType(image.type)) return null;
   const size = await claimedSize(image);
   return size && size.width * size.height > limits.imagePixels ? null : address;
 }
@@ -43,7 +40,7 @@ export async function isNoPicture(address: string): Promise<boolean> {
  */
 export async function dataPicture(address: string, most?: number): Promise<Blob | null> {
   const image = await typedData(address, most);
-  return image && knownKind.test(image.type) ? image : null;
+  return image && isShownType(image.type) ? image : null;
 }
 
 /** Returns the first bytes of data with the type that they are of; null if they cannot be read. */

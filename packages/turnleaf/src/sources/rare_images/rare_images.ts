@@ -4,11 +4,11 @@
  */
 
 import { unpack } from "../../packed.ts";
+import { unshownFormat } from "../formats.ts";
 import { claimedSize } from "../image_header.ts";
 import { limits } from "../limits.ts";
 import { loadPart } from "../load_part.ts";
 import { BookError, type BookErrorDetail } from "../page_source.ts";
-import { unshownFormat } from "../sniff.ts";
 import { trustedScript } from "../trusted_script.ts";
 import { scriptOfWorker, workerNotStarted } from "../worker_script.ts";
 import type { DecodedType, DecoderMessage, DecodingTask } from "./decoder_worker.ts";

@@ -1,0 +1,43 @@
+/** Which files the command serves: those that the viewer opens, but for two formats. */
+
+import {
+  type FileFormat,
+  formatOfFile,
+  formatOfName,
+  formats,
+  listFormats,
+} from "../../turnleaf/src/sources/formats.ts";
+
+/** Why a format that the viewer opens is not served, by its media type: the end of a sentence about a file. */
+const unserved: Readonly<Record<string, string>> = {
+  "image/svg+xml": "is an SVG, which may hold scripts",
+  "application/json": "is JSON (a IIIF manifest is opened by its address)",
+};
+
+const served = formats.filter((format) => reasonAgainst(format) === null);
+
+/** What is served, for sentences. */
+export const readable = `${listFormats(served)} and folders of images`;
+
+/** The images among it, for sentences. */
+export const readableImages: string = listFormats(
+  served.filter(({ family }) => family === "image"),
+);
+
+/**
+ * Returns the format of a file that is served; otherwise why it is none, as the end of a sentence.
+ *
+ * @param start its first bytes, as many as show a format
+ * @param name which tells text and Markdown apart
+ */
+export function servedFormat(start: Uint8Array, name: string): FileFormat | string {
+  const named = formatOfName(name);
+  const type = named?.family === "text" ? named.type : "";
+  const format = formatOfFile({ start, type });
+  return reasonAgainst(format) ?? (format as FileFormat);
+}
+
+function reasonAgainst(format: FileFormat | null): string | null {
+  if (format === null) return "is of an unknown format";
+  return format.reason ?? unserved[format.type] ?? null;
+}

@@ -1,0 +1,26 @@
+import { expect, test } from "vitest";
+import { servedFormat } from "../src/served_formats.ts";
+
+const found = (start: string, name = "file") => servedFormat(Buffer.from(start, "latin1"), name);
+
+test("no SVG and no JSON is served, which the viewer opens", () => {
+  for (const start of ["<svg xmlns=", '<?xml version="1.0"?>\n<svg>', "<!doctype svg><svg>"]) {
+    expect(found(start, "file.svg")).toBe("is an SVG, which may hold scripts");
+  }
+  const drawing = `<?xml version="1.0"?>\n${"<!-- a > b -->\n".repeat(60)}<SVG>`;
+  expect(found(drawing)).toBe("is an SVG, which may hold scripts");
+  expect(found('{"pages":[]}')).toMatch(/^is JSON /);
+});
+
+test("what the viewer does not open is refused for the same reason", () => {
+  expect(found("<!---->".repeat(147))).toBe("is a web page, not a book");
+  expect(found("\xfd7zXZ\0\0")).toBe("is packed by XZ, which is not unpacked here");
+  expect(found("\x7fELF")).toBe("is of an unknown format");
+});
+
+test("a name tells text and Markdown apart, and what else text is", () => {
+  expect(found("<!-- a --><svg>", "a.md")).toMatchObject({ type: "text/markdown" });
+  expect(found("Caf\xe9", "a.txt")).toMatchObject({ type: "text/plain" });
+  expect(found("Caf\xe9", "a")).toBe("is of an unknown format");
+  expect(found("%PDF-1.7", "a.md")).toMatchObject({ type: "application/pdf" });
+});
