@@ -29,6 +29,7 @@ const archives: typeof marks = [
   ["application/x-tar", 257, "ustar"],
   ["application/gzip", 0, "\x1f\x8b\x08"],
   ["application/zstd", 0, "\x28\xb5\x2f\xfd"],
+  ["application/x-xz", 0, "\xfd7zXZ\0"],
 ];
 
 /** A Kindle book: the type of its database, after its name, its dates and the like. */
@@ -51,7 +52,6 @@ const rejected: readonly (readonly [(words: string) => boolean, string])[] = [
     (words) => /^<(!doctype html|html|\?xml|!--|head|body)/i.test(words),
     "is a web page, not a book",
   ],
-  [(words) => words.startsWith("\xfd7zXZ\0"), "is packed by XZ, which is not unpacked here"],
   [(words) => /^BZh\d1AY&SY/.test(words), "is packed by bzip2, which is not unpacked here"],
   [
     (words) => /^\0{512,}$/.test(words),

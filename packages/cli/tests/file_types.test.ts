@@ -16,7 +16,7 @@ const kinds: Readonly<Record<Exclude<Kind, "image">, readonly [string | undefine
   tar: ["application/x-tar", [tarStart]],
   gzip: ["application/gzip", ["\x1f\x8b\x08\0"]],
   zstd: ["application/zstd", ["\x28\xb5\x2f\xfd\0"]],
-  xz: [undefined, ["\xfd7zXZ\0\0"]],
+  xz: ["application/x-xz", ["\xfd7zXZ\0\0"]],
   bzip2: [undefined, ["BZh11AY&SY\0", "BZh91AY&SY\0"]],
   zeros: [undefined, ["\0".repeat(1024)]],
   kindle: ["application/x-mobipocket-ebook", [`${"a".padEnd(60, "\0")}BOOKMOBI`]],

@@ -70,6 +70,7 @@ const formats: Readonly<Partial<Record<Kind, Open>>> = {
   "7z": openUnpacked,
   gzip: openPacked,
   zstd: openPacked,
+  xz: openPacked,
   kindle: async (file, { signal, typography }) => {
     const { blob } = await file.whole(limits.archiveBytes, signal);
     const { openKindle } = await loadPart(import("./kindle/kindle.ts"));
@@ -97,8 +98,8 @@ export async function pagesOfImage(image: Blob): Promise<readonly ImagePage[]> {
 async function openPacked(file: BookFile, options: FormatOptions): Promise<PageSource> {
   const { blob } = await file.whole(limits.archiveBytes, options.signal);
   const { unpackedFile } = await loadPart(import("./archive/packed_file.ts"));
-  const kind = sniff(file);
-  const inner = await fileIn(await unpackedFile(blob, kind, file.name), file.name);
+  const unpacked = await unpackedFile(blob, sniff(file), file.name, options.signal);
+  const inner = await fileIn(unpacked, file.name);
   if (formats[sniff(inner)] !== openPacked) return await openFile(inner, options);
   throw new BookError(`${file.name} is packed several times over; unpack it first.`, {
     code: "unsupported",
@@ -219,7 +220,6 @@ const readable =
 const reasons: Readonly<Partial<Record<Kind, string>>> = {
   html: "is a web page, not a book",
   palmdoc: "is a text of a Palm (PalmDOC), which is not read",
-  xz: "is packed by XZ, which is not unpacked here",
   bzip2: "is packed by bzip2, which is not unpacked here",
   zeros: "has no pages but only zeros, as an empty tar or a file that was not fetched whole",
 };
