@@ -4,7 +4,7 @@ import { fetchChecked, readBounded } from "./fetch_bytes.ts";
 import { claimedSize, kindOfFile, sizeFromHeader, typedImage } from "./image_header.ts";
 import { fitPixels, isPageSize, limits, wholePage } from "./limits.ts";
 import { loadPart } from "./load_part.ts";
-import type { ImageBook, ImagePage, StoredImage } from "./manifest.ts";
+import type { ImageBook, ImagePage, StoredImage, StripPage } from "./manifest.ts";
 import {
   BookError,
   type BookWarning,
@@ -20,7 +20,7 @@ import { SharedTasks } from "./shared_tasks.ts";
 import { showableImage } from "./showable_image.ts";
 import { shownImage } from "./shown_image.ts";
 import { withStrips } from "./strip_pages.ts";
-import type { Strip, StripPage } from "./strips.ts";
+import type { Strip } from "./strips.ts";
 import { lostLines, WarningList } from "./warnings.ts";
 
 /** Encoded images kept, so that drawing a page sharper does not fetch it again. */

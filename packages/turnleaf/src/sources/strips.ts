@@ -1,7 +1,7 @@
 /** Strips: images many times as tall as wide, as of comics that are scrolled, cut into pages. */
 
 import { cropImage } from "./crop_image.ts";
-import type { ImagePage } from "./manifest.ts";
+import type { StripPage, StripSlice } from "./manifest.ts";
 import type { PageBox, PageSize } from "./page_source.ts";
 
 /**
@@ -15,24 +15,6 @@ const noise = 12;
 
 /** The paper where a strip is cut through a picture. */
 const paper = "#fff";
-
-/** A page of a strip. */
-export interface StripPage {
-  /** Which of the strip's pages it is, from 0, and how many there are. */
-  readonly index: number;
-  readonly count: number;
-  /** Its height over its width. */
-  readonly ratio: number;
-  /** The strip from its top to its bottom, where it is several images of one width. */
-  readonly slices?: readonly StripSlice[];
-}
-
-/** An image that is a part of a strip. */
-export interface StripSlice {
-  readonly src: ImagePage["src"];
-  /** Its size in pixels. */
-  readonly size: PageSize;
-}
 
 /** A strip in its pixels, whose rows are decoded as they are needed. */
 export interface Strip {
