@@ -42,7 +42,7 @@ $(CLI): $(MODULES) $(SOURCES) $(RUST_SOURCES)
 wasm: $(MODULES) tools-rust
 	node scripts/build_wasm.mjs
 
-# What reads RAR and 7-Zip archives, built anew from libarchive and liblzma: needs zig, see the script.
+# What reads RAR, 7-Zip and XZ, built anew from libarchive and liblzma: needs zig, see the script.
 unpacker: $(MODULES)
 	node scripts/build_unpacker.mjs
 
