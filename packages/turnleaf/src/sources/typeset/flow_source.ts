@@ -26,7 +26,7 @@ import { idle } from "./idle.ts";
 import type { LaidChapter } from "./laid_chapter.ts";
 import { Narrator } from "./narrator.ts";
 import { NumberedPages } from "./numbered_pages.ts";
-import { SectionLengths } from "./page_estimate.ts";
+import { firstRead, SectionLengths } from "./page_estimate.ts";
 import { mayFace, paperback } from "./page_measures.ts";
 import type { SectionPage } from "./page_numbers.ts";
 import { RunningHeads } from "./running_heads.ts";
@@ -56,7 +56,7 @@ const mostDrawn = 200;
 /** Sections that the links of one page may have laid out, to find where they lead. */
 const mostTargets = 4;
 
-/** The lengths of a book's sections, which are being read. */
+/** The lengths of a book's sections, of which the first are being read. */
 interface ReadLengths {
   readonly lengths: SectionLengths;
   readonly reading: Promise<void>;
@@ -82,7 +82,7 @@ export class FlowSource implements PageSource {
   /** Sets the book in another typography; absent if all its pages are of fixed layout. */
   readonly typeset?: (typography: Typography) => Promise<void>;
   readonly narration?: Narrator;
-  /** Resolves once the number of pages is estimated by all of the book's text, and by a part of it that is laid out. */
+  /** Resolves once the number of pages is estimated by text of the whole book, and by parts of it that are laid out. */
   readonly estimated: Promise<void>;
   /** Absent if all pages are turned. */
   readonly roll?: (index: number) => number | null;
@@ -112,7 +112,7 @@ export class FlowSource implements PageSource {
     const lengths = new SectionLengths(book.sections);
     const edition = new Edition(book, contents, warnings, lengths, typography);
     const ended = new AbortController();
-    const reading = lengths.read(ended.signal);
+    const reading = lengths.read(ended.signal, firstRead);
     try {
       await edition.lay(0);
     } catch (error) {
@@ -165,6 +165,7 @@ export class FlowSource implements PageSource {
       });
     }
     this.estimated = reading.then(() => this.#sample(edition));
+    this.estimated.then(() => lengths.read(ended.signal)).then(() => this.#correct());
     this.#counting = this.#layRest(edition);
   }
 
@@ -527,11 +528,10 @@ export class FlowSource implements PageSource {
     this.#announce();
   }
 
-  /** Lays out a part of the book by which the rest is estimated. */
+  /** Lays out parts of the book by which the rest is estimated. */
   async #sample(edition: Edition): Promise<void> {
     if (this.#isClosed || edition !== this.#edition) return;
-    // One that cannot be laid out says so on its page.
-    await edition.sample().catch(() => {});
+    await edition.sample();
     this.#correct();
   }
 
