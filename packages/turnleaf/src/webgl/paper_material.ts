@@ -171,6 +171,21 @@ float paperEdge() {
 }
 #endif
 
+#ifdef DARK
+// What dark paper gives back is too little to tell a leaf in the air from the page under it: shadows
+// are lost, and the light on a slope. Its surface does, whatever its colour: more of the light the more
+// it slopes, and most of all where it is cut. Flat it has its own colour.
+vec3 glint(vec3 normal) {
+  float slope = 1.0 - normal.z;
+  float facing = max(0.0, dot(normal, KEY_DIRECTION) + WRAP) / (1.0 + WRAP);
+  // As wide however much it slopes.
+  vec2 from = vec2(1.0 - vUv.x, min(vUv.y, 1.0 - vUv.y)) / max(vec2(pixel) / size, fwidth(vUv));
+  float cut = 1.0 - smoothstep(0.5, 1.5, min(from.x, from.y));
+  float sheen = 0.030 * smoothstep(0.0, 0.8, slope) * (0.4 + 0.6 * facing);
+  return (sheen + 0.11 * cut * smoothstep(0.0, 0.03, slope)) * vec3(1.0, 0.965, 0.91);
+}
+#endif
+
 // Of the sky that other leaves shut out as much comes through them as of the key light.
 vec3 skyHere(vec3 normal) {
   float open = skyFraction(vGapSky, normal);
@@ -205,7 +220,11 @@ void main() {
   light = min(light, vec3(ceiling));
   vec2 fromLight = (vPlace.xy - vec2(-0.35 * size.x, 0.65 * size.y)) / (1.5 * size);
   light *= 1.0 - pool * smoothstep(0.1, 1.0, length(fromLight));
-  gl_FragColor = vec4(ink * light, 1.0);
+  vec3 colour = ink * light;
+  #ifdef DARK
+  colour += thin * glint(normal);
+  #endif
+  gl_FragColor = vec4(colour, 1.0);
   #include <colorspace_fragment>
   gl_FragColor.rgb = dithered(gl_FragColor.rgb);
 }
@@ -236,10 +255,12 @@ export class PaperMaterial extends ShaderMaterial {
     pixel: { readonly value: number },
   ) {
     const { kind, width, height, quarterTurned, shadows } = shape;
+    const { paper: bare, isDark } = lookOf(shape);
     super({
       defines: {
         ...(quarterTurned ? { QUARTER_TURNED: "" } : {}),
         ...(side.torn ? { TORN: "" } : {}),
+        ...(isDark ? { DARK: "" } : {}),
       },
       vertexShader,
       fragmentShader,
@@ -259,7 +280,7 @@ export class PaperMaterial extends ShaderMaterial {
         ...paperUniforms(),
         pixel,
         size: { value: [width, height] },
-        bare: { value: new Color(lookOf(shape).paper) },
+        bare: { value: new Color(bare) },
         opened: { value: -1 },
       },
     });
