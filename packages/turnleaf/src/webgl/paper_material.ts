@@ -161,13 +161,13 @@ vec3 tearAcross(vec3 ink) {
 #endif
 
 #ifdef SHADED
-// The cut edge of what is folded over, or loose, catches light as far as a page may be brighter than its picture.
+// The cut edge of what is folded over, or loose, catches light: as far as a page may be brighter than its picture.
 float paperEdge() {
   #ifndef TORN
   if (vPart < 0.5) return 0.0;
   #endif
   vec2 within = min(vUv, 1.0 - vUv) * size;
-  return 0.03 * (1.0 - smoothstep(0.0, 2.0 * pixel, min(within.x, within.y)));
+  return 1.0 - smoothstep(0.0, 2.0 * pixel, min(within.x, within.y));
 }
 #endif
 
@@ -181,7 +181,7 @@ vec3 glint(vec3 normal) {
   // As wide however much it slopes.
   vec2 from = vec2(1.0 - vUv.x, min(vUv.y, 1.0 - vUv.y)) / max(vec2(pixel) / size, fwidth(vUv));
   float cut = 1.0 - smoothstep(0.5, 1.5, min(from.x, from.y));
-  float sheen = 0.030 * smoothstep(0.0, 0.8, slope) * (0.4 + 0.6 * facing);
+  float sheen = 0.04 * smoothstep(0.0, 0.8, slope) * (0.4 + 0.6 * facing);
   return (sheen + 0.11 * cut * smoothstep(0.0, 0.03, slope)) * vec3(1.0, 0.965, 0.91);
 }
 #endif
@@ -214,8 +214,8 @@ void main() {
   }
   vec3 light = arriving(normal, sky, key);
   if (thin > 0.5) light += throughLeaf(normal, uv);
-  #ifdef SHADED
-  light += paperEdge();
+  #if defined(SHADED) && !defined(DARK)
+  light += 0.03 * paperEdge();
   #endif
   light = min(light, vec3(ceiling));
   vec2 fromLight = (vPlace.xy - vec2(-0.35 * size.x, 0.65 * size.y)) / (1.5 * size);
@@ -223,6 +223,9 @@ void main() {
   vec3 colour = ink * light;
   #ifdef DARK
   colour += thin * glint(normal);
+  #ifdef SHADED
+  colour += 0.06 * paperEdge();
+  #endif
   #endif
   gl_FragColor = vec4(colour, 1.0);
   #include <colorspace_fragment>
