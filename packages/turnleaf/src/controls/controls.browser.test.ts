@@ -590,6 +590,16 @@ test("bars that lie over the book hide as a page is turned by hand, and come bac
   book.remove();
 });
 
+test("all that is selected is the book's text: no field is selected that is not being used", () => {
+  const { book, root, remove } = addFakeBook(390);
+  const field = root.querySelector("[part=field]") as HTMLInputElement;
+  expect(getComputedStyle(field).userSelect).toBe("none");
+  field.focus();
+  expect(getComputedStyle(field).userSelect).toBe("text");
+  remove();
+  book.remove();
+});
+
 test("on a phone Type is in the bar, and a tap on the middle of a page hides the bars and shows them", () => {
   const { book, root, remove } = addFakeBook(390, { canTypeset: true });
   const type = root.querySelector<HTMLElement>("[part=toolbar] [aria-label=Type]");

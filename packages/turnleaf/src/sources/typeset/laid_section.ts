@@ -1,7 +1,7 @@
 import { cleanText } from "../book_text.ts";
 import { isPageSize, limits } from "../limits.ts";
 import type { PageBox, PageColours, PageSize, TextRun, Typography } from "../page_source.ts";
-import { alignText } from "./align_text.ts";
+import { alignText, alignUnsaid } from "./align_text.ts";
 import { fitBoxes } from "./fit_boxes.ts";
 import {
   type FlowContent,
@@ -338,6 +338,7 @@ async function layIn<T>(
   frame.adopt([...own, ...inColumns]);
   if (!content.size) {
     alignText(body, typography.align);
+    alignUnsaid(body, typography);
     if (typography.hyphens !== "none") await divideWords(body);
   }
   await loadedIn(frame, html);
