@@ -63,7 +63,7 @@ const apart = [
   ),
   // Loaded for a book whose XML is not well-formed.
   part("repairs XML", 29, "repaired_xml"),
-  entry("standalone", 158, "standalone_* three.module"),
+  entry("standalone", 159, "standalone_* three.module"),
   entry("links", 1),
   entry("models", 195),
   entry("keyframes", 8),
@@ -85,8 +85,8 @@ const allBut = (lines, name, limit) => ({
 });
 
 export default [
-  allBut([...usual, ...apart], "shows and turns a book", 167),
+  allBut([...usual, ...apart], "shows and turns a book", 168),
   ...usual,
   ...apart,
-  allBut(apart, "all that a usual book loads", 215),
+  allBut(apart, "all that a usual book loads", 216),
 ];

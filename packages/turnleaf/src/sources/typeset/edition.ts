@@ -2,7 +2,7 @@ import { unknownFailure } from "../failures.ts";
 import type { Typography } from "../page_source.ts";
 import { SharedTasks } from "../shared_tasks.ts";
 import { divide } from "./divide.ts";
-import type { FlowBook } from "./flow_book.ts";
+import { type FlowBook, isAllText } from "./flow_book.ts";
 import type { FlowWarnings } from "./flow_warnings.ts";
 import { LaidChapter } from "./laid_chapter.ts";
 import { LaidSection, type SectionMap } from "./laid_section.ts";
@@ -53,9 +53,14 @@ export class Edition {
     this.#contents = contents;
     this.#warnings = warnings;
     this.#lengths = lengths;
-    // A roll is as wide as its window, which is not known here: it is set as a paperback.
     const isRolled = book.sections.some(({ roll }) => roll !== undefined);
-    this.typography = isRolled ? { ...typography, width: 0 } : typography;
+    this.typography = {
+      ...typography,
+      // A roll is as wide as its window, which is not known here: it is set as a paperback.
+      ...(isRolled && { width: 0 }),
+      // Pages of fixed layout have a shape of their own.
+      ...(!isAllText(book) && { height: 0 }),
+    };
   }
 
   /** Returns what is known of a section; undefined before it has been laid out. */

@@ -20,14 +20,14 @@ import {
 import { orAborted } from "../shared_tasks.ts";
 import { drawMarkup } from "./draw_markup.ts";
 import { Edition } from "./edition.ts";
-import type { FlowBook, FlowOutline, FlowTarget } from "./flow_book.ts";
+import { type FlowBook, type FlowOutline, type FlowTarget, isAllText } from "./flow_book.ts";
 import { FlowWarnings } from "./flow_warnings.ts";
 import { idle } from "./idle.ts";
 import type { LaidChapter } from "./laid_chapter.ts";
 import { Narrator } from "./narrator.ts";
 import { NumberedPages } from "./numbered_pages.ts";
 import { firstRead, SectionLengths } from "./page_estimate.ts";
-import { mayFace, paperback } from "./page_measures.ts";
+import { leafOf, mayFace, paperback } from "./page_measures.ts";
 import type { SectionPage } from "./page_numbers.ts";
 import { RunningHeads } from "./running_heads.ts";
 import { SectionContents } from "./section_contents.ts";
@@ -76,6 +76,7 @@ export class FlowSource implements PageSource {
   readonly direction: "ltr" | "rtl";
   readonly kind = "typeset";
   readonly layout?: "spread" | "single";
+  readonly usualLeaf?: PageSize;
   readonly cover: PageSource["cover"];
   readonly authors: readonly string[];
   readonly details: readonly BookDetail[];
@@ -139,6 +140,7 @@ export class FlowSource implements PageSource {
     this.language = book.language;
     this.direction = book.direction;
     if (book.layout) this.layout = book.layout;
+    if (isAllText(book)) this.usualLeaf = paperback;
     this.cover = book.cover;
     this.details = book.details ?? [];
     // A name without a word about it is an author's.
@@ -182,7 +184,14 @@ export class FlowSource implements PageSource {
   }
 
   mayFace(width: number, alone: number): boolean {
-    return !this.typeset || mayFace(this.#edition.typography, width, alone);
+    const { typography } = this.#edition;
+    const leaf = leafOf(typography);
+    const height = (alone * leaf.height) / leaf.width;
+    return !this.typeset || mayFace(typography, width, { width: alone, height });
+  }
+
+  get leaf(): PageSize | undefined {
+    return this.usualLeaf && leafOf(this.#edition.typography);
   }
 
   get isEstimated(): boolean {
@@ -193,7 +202,7 @@ export class FlowSource implements PageSource {
     const { section } = this.#at(index);
     const { isFixed, roll } = this.#book.sections[section] ?? {};
     if (isFixed || roll !== undefined) await this.#edition.lay(section, signal);
-    return this.#edition.mapOf(section)?.size ?? paperback;
+    return this.#edition.mapOf(section)?.size ?? leafOf(this.#edition.typography);
   }
 
   inSpread(index: number): ReturnType<NonNullable<PageSource["inSpread"]>> {
