@@ -231,7 +231,11 @@ export class PlaceKeeper {
     const anchors = first.anchor && pages.map((one) => first.anchor?.(one - 1) ?? "");
     const text = anchors ? { text: { anchors, typography: this.#said(typographyAttributes) } } : {};
     const folds = dogEars.map(
-      ({ page, corner, size }): SavedDogEar => [bookmarks.indexOf(page), corner === "head" ? 1 : 0, size],
+      ({ page, corner, size }): SavedDogEar => [
+        bookmarks.indexOf(page),
+        corner === "head" ? 1 : 0,
+        size,
+      ],
     );
     const seen = this.#said(seenAttributes);
     const place = { page, zoom, bookmarks, shifts, folds, pageFolds, seen, ...text };
