@@ -42,7 +42,7 @@ $(CLI): $(MODULES) $(SOURCES) $(RUST_SOURCES)
 wasm: $(MODULES) tools-rust
 	node scripts/build_wasm.mjs
 
-# What reads RAR and 7-Zip archives, built anew from libarchive and liblzma: needs zig, see the script.
+# What reads RAR, 7-Zip and XZ, built anew from libarchive and liblzma: needs zig, see the script.
 unpacker: $(MODULES)
 	node scripts/build_unpacker.mjs
 
@@ -108,7 +108,7 @@ check-licences: $(MODULES) $(TOOLS)/.installed tools-rust
 	node scripts/check_licences.mjs
 	$(TOOLS)/cargo-deny --locked check licenses bans sources
 
-# Measures, and writes the tables of docs/performance.md. Every table of the docs is data in docs/data,
+# Measures, and writes the tables of docs/reports/performance.md. Every table of the docs is data in docs/data,
 # which scripts/docs_tables.mjs puts into the pages.
 bench: build chromium tools-rust
 	node scripts/performance.mjs
@@ -120,7 +120,7 @@ bench-peers: build chromium
 	node bench/flipbooks/run.mjs --write
 
 # A hanging page by the engine, by Jolt Physics and by Newton's vertex block descent, on the processor:
-# bench/results and tables of docs/performance.md. Newton is a Python package, installed into
+# bench/results and tables of docs/reports/performance.md. Newton is a Python package, installed into
 # target/newton for this alone; where that fails it is left out, and its stored results stay. Takes
 # about 20 minutes of a processor's time.
 bench-hanging: $(MODULES) tools-rust
@@ -138,7 +138,7 @@ engines: build browsers
 	node scripts/engines.mjs
 
 # Every manifest of IIIF's cookbook opened, by COOKBOOK, a clone of github.com/IIIF/cookbook-recipes:
-# a table in docs/sources.md. No network is needed: images are made in their sizes.
+# a table in docs/reports/conformance.md. No network is needed: images are made in their sizes.
 COOKBOOK ?= target/cookbook-recipes
 test-iiif: build chromium
 	@test -d "$(COOKBOOK)" || git clone --quiet --depth 1 https://github.com/IIIF/cookbook-recipes "$(COOKBOOK)"
@@ -157,13 +157,13 @@ BOOKS ?= 200
 test-publish: build chromium
 	TURNLEAF_BOOKS=$(BOOKS) npx vitest run packages/cli/tests/publish.test.ts
 
-# Random pointers on the leaves of a book, 20,000 times: the tables in docs/physics.md.
+# Random pointers on the leaves of a book, 20,000 times: the tables in docs/reports/physics.md.
 # Takes about half an hour on two cores.
 gestures: tools-rust
 	cargo run --release --quiet -p lab -- gestures --count 20000 --worst 5 --jobs $(JOBS) --into docs/data
 	node scripts/docs_tables.mjs
 
-# The same over leaves that are folded and torn out, 5,000 times: the tables in docs/folding.md. Takes
+# The same over leaves that are folded and torn out, 5,000 times: the tables in docs/reports/folding.md. Takes
 # some hours on two cores; CREASED=300 is a sample.
 CREASED ?= 5000
 gestures-creases: tools-rust
@@ -171,7 +171,7 @@ gestures-creases: tools-rust
 	node scripts/docs_tables.mjs
 
 # Ten thousand random operations on a book in Chromium, by SEED: no warning of WebGL, no blank page at
-# rest, no memory that grows. Writes the table in docs/performance.md. Takes about twenty minutes on two
+# rest, no memory that grows. Writes the table in docs/reports/performance.md. Takes about twenty minutes on two
 # cores, on Linux.
 OPERATIONS ?= 10000
 SEED ?= $(shell date +%s | tail -c 7)
@@ -208,7 +208,7 @@ report-corpora: build chromium corpora
 	node tests/corpora/report.mjs
 
 # Every test book of w3c/epub-tests in Chromium, judged by the condition that it states: the report in
-# docs/reports and its tables in docs/sources.md. Takes about ten minutes on two cores.
+# docs/reports and its tables in docs/reports/conformance.md. Takes about ten minutes on two cores.
 report-epub: build chromium corpora
 	node tests/epub_report/run.mjs
 
@@ -234,7 +234,7 @@ films: build chromium
 	node scripts/films.mjs
 
 # Every way of turning a page measured: tables, plot and pictures of docs/methods.md, and the table of
-# sheet against shell in docs/physics.md, and those of creased strips and of tears in docs/folding.md. Takes some
+# sheet against shell in docs/physics.md, and those of creased strips and of tears in docs/reports/folding.md. Takes some
 # twenty minutes, nearly all of them the shell's.
 methods: tools-rust
 	cargo run --release --quiet -p lab -- interpolation --into docs/data

@@ -1,5 +1,5 @@
 /**
- * Builds what reads RAR and 7-Zip archives: libarchive's readers of them, liblzma's decoders and
+ * Builds what reads RAR, 7-Zip and XZ: libarchive's readers of them, liblzma's decoders and
  * unpacker.c as one WASM, by `zig cc` (pip install ziglang, in the version of unpacker_sources.mjs).
  * It is committed beside unpacker.c, with a stamp of what it was built from and the licences of what
  * is in it, so that a clone needs no C compiler.
@@ -30,10 +30,19 @@ const archiveFiles = [
   ...["acl", "check_magic", "entry", "entry_sparse", "entry_stat", "entry_strmode", "entry_xattr"],
   ...["blake2s_ref", "blake2sp_ref", "ppmd7", "rb", "read", "string", "string_sprintf", "time"],
   ...["read_support_format_rar", "read_support_format_rar5", "read_support_format_7zip"],
+  ...["read_support_filter_xz", "read_support_format_raw", "read_support_format_empty"],
   ...["util", "virtual", "read_add_passphrase"],
 ].map((name) => `libarchive/archive_${name}.c`);
 const lzmaFiles = [
   ...["common/common", "common/filter_common", "common/filter_decoder", "lz/lz_decoder"],
+  ...["stream_decoder", "stream_flags_common", "stream_flags_decoder", "block_decoder"].map(
+    (name) => `common/${name}`,
+  ),
+  ...["block_header_decoder", "block_util", "filter_flags_decoder", "index_hash"].map(
+    (name) => `common/${name}`,
+  ),
+  ...["alone_decoder", "vli_decoder", "vli_size"].map((name) => `common/${name}`),
+  ...["check", "crc32_fast", "crc64_small", "sha256"].map((name) => `check/${name}`),
   ...["lzma/lzma_decoder", "lzma/lzma2_decoder", "delta/delta_common", "delta/delta_decoder"],
   ...["simple_coder", "simple_decoder", "x86", "powerpc", "ia64", "arm", "armthumb", "arm64"].map(
     (name) => `simple/${name}`,

@@ -12,8 +12,8 @@ import { cyclesOf, modulesOf } from "./imports/rust.mjs";
 
 const root = join(import.meta.dirname, "..");
 
-/** The engine's modules that nothing below them may use. */
-const engine = ["key_frames", "loose", "book", "trials"];
+/** The engine's modules, from low to high, that none below them and none that is not listed may use. */
+const engine = ["contact", "key_frames", "loose", "book", "trials"];
 
 const errors = [];
 

@@ -5,11 +5,14 @@
  *
  *   node scripts/docs_tables.mjs            writes the tables into the pages
  *   node scripts/docs_tables.mjs --check    fails if a page differs from its data
+ *
+ * `<!-- table NAME: words|other words -->` includes the rows alone that begin with these words.
  */
 import { readdirSync, readFileSync, writeFileSync } from "node:fs";
-import { join } from "node:path";
+import { join, relative } from "node:path";
 
-const docs = join(import.meta.dirname, "../docs");
+const root = join(import.meta.dirname, "..");
+const docs = join(root, "docs");
 const data = join(docs, "data");
 
 /** Rows of cells, the first of them headings. */
@@ -33,21 +36,42 @@ export function markdown([headings, ...rows]) {
   return [headings, rule, ...rows].map((cells) => `| ${cells.join(" | ")} |\n`).join("");
 }
 
+/** The rows that begin with one of the given beginnings, under the headings; all rows without any. */
+function chosen(rows, beginnings) {
+  if (beginnings === undefined) return rows;
+  const isChosen = beginnings.split("|").map((beginning) => {
+    const begins = ([cell]) => cell.startsWith(beginning);
+    if (!rows.some(begins)) throw new Error(`No row begins with "${beginning}".`);
+    return begins;
+  });
+  const [headings, ...others] = rows;
+  return [headings, ...others.filter((row) => isChosen.some((begins) => begins(row)))];
+}
+
+/** The pages that may include tables: those of docs and of docs/reports. */
+function pages() {
+  return [docs, join(docs, "reports")].flatMap((folder) => {
+    const names = readdirSync(folder).filter((name) => name.endsWith(".md"));
+    return names.map((name) => join(folder, name));
+  });
+}
+
 /** Puts the tables into the pages, or with `isCheck` lists what differs. */
 export function includeTables(isCheck = false) {
   const unused = new Set(readdirSync(data).map((file) => file.replace(/\.json$/, "")));
   const faults = [];
-  for (const page of readdirSync(docs).filter((name) => name.endsWith(".md"))) {
-    const path = join(docs, page);
+  for (const path of pages()) {
     const text = readFileSync(path, "utf8");
-    const section = /(<!-- table (\w+) -->\n)[\s\S]*?(<!-- \/table -->)/g;
-    const written = text.replace(section, (_, open, name, close) => {
-      unused.delete(name);
-      return `${open}${markdown(readTable(name))}${close}`;
+    const section = /(<!-- table (\w+)(?:: (.+?))? -->\n)[\s\S]*?(<!-- \/table -->)/g;
+    const written = text.replace(section, (_, open, name, beginnings, close) => {
+      if (beginnings === undefined) unused.delete(name);
+      return `${open}${markdown(chosen(readTable(name), beginnings))}${close}`;
     });
     if (written === text) continue;
     if (isCheck)
-      faults.push(`docs/${page} differs from docs/data: run node scripts/docs_tables.mjs`);
+      faults.push(
+        `${relative(root, path)} differs from docs/data: run node scripts/docs_tables.mjs`,
+      );
     else writeFileSync(path, written);
   }
   for (const name of unused) faults.push(`No page includes docs/data/${name}.json`);

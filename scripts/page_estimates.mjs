@@ -1,11 +1,12 @@
 /**
- * How near the first number of pages of books of flowing text is to the last: right after a book is
- * opened, once all of its text is weighed and a chapter of it is laid out, and counted to the end.
+ * How near the first numbers of pages of books of flowing text are to the last: right after a book is
+ * opened, when next to nothing of it is read; once it is estimated by text of the whole book and pieces
+ * that are laid out; a second after it was opened; and counted to the end.
  *
  *   node scripts/page_estimates.mjs BOOK ...
  *
  * BOOK is a file, such as an EPUB, or the folder of an unpacked one. It uses the build of
- * `npm run build`. Each line says the three numbers and when they were known, seconds after the start.
+ * `npm run build`. Each line says the numbers and when they were known, seconds after the start.
  */
 import { readdirSync, readFileSync, statSync } from "node:fs";
 import { createServer } from "node:http";
@@ -53,16 +54,15 @@ async function count([address, name, often]) {
   const start = performance.now();
   const seconds = () => ((performance.now() - start) / 1000).toFixed(2);
   const source = await openSource(address, { name });
-  const numbers = [[source.pageCount, seconds()]];
-  source.watchPages?.((change) => {
-    change();
-    numbers.push([source.pageCount, seconds()]);
-  });
+  const first = [source.pageCount, seconds()];
+  // What is announced is shown at once.
+  source.watchPages?.((change) => change());
   const settled = source.settle();
+  const estimated = source.estimated.then(() => [source.pageCount, seconds()]);
   // The number a second after the book is there.
   let second = null;
   const timer = setInterval(() => {
-    if (second === null && performance.now() - start > 1000 * Number(numbers[0][1]) + 1000)
+    if (second === null && performance.now() - start > 1000 * Number(first[1]) + 1000)
       second = source.pageCount;
   }, often);
   await settled;
@@ -70,8 +70,8 @@ async function count([address, name, often]) {
   const last = source.pageCount;
   source.close();
   return {
-    first: numbers[0],
-    estimated: numbers[1] ?? numbers[0],
+    first,
+    estimated: await estimated,
     second: second ?? last,
     last: [last, seconds()],
   };

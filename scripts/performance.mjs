@@ -1,5 +1,5 @@
 /**
- * Measures, and writes the tables of docs/performance.md: no number in them is typed by hand.
+ * Measures, and writes the tables of docs/reports/performance.md: no number in them is typed by hand.
  *
  *   node scripts/performance.mjs [TABLE ...]    all tables, or those named, as script_time
  */
@@ -214,4 +214,4 @@ for (const [name, measure] of Object.entries(tables)) {
   if (named.length === 0 || named.includes(name)) writeTable(name, await measure());
 }
 includeTables();
-console.log("The tables of docs/performance.md are written.");
+console.log("The tables of docs/reports/performance.md are written.");

@@ -1,5 +1,5 @@
 /**
- * The tables of docs/performance.md on the hanging page, from bench/results/jolt-sheet.json and
+ * The tables of docs/reports/performance.md on the hanging page, from bench/results/jolt-sheet.json and
  * bench/results/vbd-sheet.json: no number in them is typed by hand.
  *
  *   node bench/peers/sheet_tables.mjs

@@ -199,7 +199,7 @@ fn assert_roots(found: &Value, most: [f64; 3]) {
 }
 
 /// Asserts the damping of a page's first mode in a vacuum, as part of critical: half of the
-/// loss tangent. Bible paper has more: see docs/physics.md.
+/// loss tangent. Bible paper has more: see docs/reports/physics.md.
 fn assert_damping(found: &Value) {
     let damping = figure(found, "damping");
     assert!((damping - 0.015).abs() <= 0.005, "{found}");
@@ -296,7 +296,7 @@ fn play_usual_gestures(count: usize) {
     }
 }
 
-/// Pages, papers, air, frames and pointers of every kind; 20,000 are in docs/physics.md.
+/// Pages, papers, air, frames and pointers of every kind; 20,000 are in docs/reports/physics.md.
 #[test]
 fn gestures_of_every_kind_on_any_page_stay_finite_come_to_rest_and_out_of_each_other() {
     play_every_kind(4, 1);
@@ -332,7 +332,7 @@ fn play_every_kind(gestures: usize, riffles: usize) {
     }
 }
 
-/// Folded and torn leaves; what they keep of the bounds of whole ones is in docs/folding.md.
+/// Folded and torn leaves; what they keep of the bounds of whole ones is in docs/reports/folding.md.
 #[test]
 fn gestures_fold_and_tear_leaves_and_all_stays_finite() {
     let line = "gestures --creases --count 6 --seed 1 --page usual --stock presets --kind hands";

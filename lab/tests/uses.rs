@@ -5,7 +5,7 @@ use std::process::Command;
 use serde_json::Value;
 
 /// Twelve uses of a book of book paper, 140 x 210 mm. The whole table, of folded books, other stocks and
-/// other pages too, is `lab uses`; decision 8 says which of them do not keep the bounds.
+/// other pages too, is `lab uses`; docs/reports/contact.md says which do not keep the bounds.
 #[test]
 fn ordinary_uses_of_a_usual_book_are_drawn_where_the_paper_is() {
     let output = Command::new(env!("CARGO_BIN_EXE_lab"))

@@ -9,6 +9,7 @@ export const groups = {
   },
   Guide: {
     "In short": "README.md",
+    "Where to begin": "docs/README.md",
     Examples: "examples/index.html",
     Reference: "docs/reference.md",
     "What opens": "docs/sources.md",
@@ -39,6 +40,7 @@ export const groups = {
   "How it is built": {
     Architecture: "docs/architecture.md",
     Decisions: "docs/decisions",
+    Reports: "docs/reports",
     Contributing: "CONTRIBUTING.md",
     Security: "SECURITY.md",
     Changes: "CHANGELOG.md",

@@ -1,7 +1,7 @@
 /**
  * Opens every test book of w3c/epub-tests in a real browser, judges each by the
  * condition that it states, and writes the report in that project's own form,
- * docs/reports/epub-tests.json, and the tables of docs/sources.md.
+ * docs/reports/epub-tests.json, and the tables of docs/reports/conformance.md.
  *
  *   node tests/epub_report/run.mjs            all tests
  *   node tests/epub_report/run.mjs NAME ...   these alone; the others stay as they are in the report

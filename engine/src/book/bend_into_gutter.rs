@@ -16,10 +16,10 @@
 //! inside a pile is pushed onto it.
 
 use super::fraction_turned::fraction_turned;
-use super::mesh::Folds;
 use super::pile::Pile;
-use super::tolerance::{OVER_PILE, ROOM_FROM_SPINE, ROUNDING, SLIVER};
 use super::turn_by_place::turn_between;
+use crate::contact::mesh::Folds;
+use crate::contact::tolerance::{OVER_PILE, ROOM_FROM_SPINE, ROUNDING, SLIVER};
 use crate::models::sheet::CAN_CREASE;
 
 /// Bends the points of a leaf into the gutter, in place.

@@ -1,8 +1,9 @@
 //! A leaf's nodes in the book, and what it remembers of what they met.
 
 use super::fraction_turned::fraction_turned;
-use super::mesh::{Folds, Mesh, update_normals};
-use super::tolerance::{CLOSE, FAR};
+use crate::contact::aabb::Aabb;
+use crate::contact::mesh::{Folds, Mesh, update_normals};
+use crate::contact::tolerance::{CLOSE, FAR};
 use crate::models::sheet::CAN_CREASE;
 use crate::vector::{dot, sub};
 
@@ -37,8 +38,8 @@ pub struct BookSpaceLeaf {
     pub gaps: [Vec<f32>; 2],
     /// Distance of each node from the pile under it, metres.
     pub pile_gaps: Vec<f32>,
-    /// The box around each row, metres: its lowest and its highest corner.
-    pub bounds: Vec<[[f32; 3]; 2]>,
+    /// The box around each row.
+    pub bounds: Vec<Aabb>,
     /// Whether parts of it are folded over.
     pub has_folds: bool,
     /// See [`Folds::falling`].
@@ -63,7 +64,7 @@ impl BookSpaceLeaf {
             depth: 0.0,
             gaps: [vec![FAR; nodes], vec![FAR; nodes]],
             pile_gaps: vec![FAR; nodes],
-            bounds: vec![[[0.0; 3]; 2]; rows],
+            bounds: vec![Aabb::EMPTY; rows],
             has_folds: false,
             falling: Vec::new(),
         }
@@ -94,15 +95,8 @@ impl BookSpaceLeaf {
             dot(way, way)
         };
         let (mut best, mut least) = (start, away(start));
-        for (row, [low, high]) in self.bounds.iter().enumerate() {
-            // Compared by hand: a library's greater minds what is no number, and is slow.
-            let out = |axis: usize| {
-                let (below, above) = (low[axis] - point[axis], point[axis] - high[axis]);
-                let beside = if below > above { below } else { above };
-                if beside > 0.0 { beside } else { 0.0 }
-            };
-            let out = [out(0), out(1), out(2)];
-            if dot(out, out) >= least {
+        for (row, bounds) in self.bounds.iter().enumerate() {
+            if bounds.square_distance(point) >= least {
                 continue;
             }
             for node in row * self.columns..(row + 1) * self.columns {
@@ -211,18 +205,9 @@ impl BookSpaceLeaf {
 
     /// Finds the box around each row.
     pub fn bound_rows(&mut self) {
-        for (bounds, row) in self
-            .bounds
-            .iter_mut()
-            .zip(self.points.chunks_exact(self.columns))
-        {
-            *bounds = [row[0], row[0]];
-            for point in row {
-                for axis in 0..3 {
-                    bounds[0][axis] = bounds[0][axis].min(point[axis]);
-                    bounds[1][axis] = bounds[1][axis].max(point[axis]);
-                }
-            }
+        let rows = self.points.chunks_exact(self.columns);
+        for (bounds, row) in self.bounds.iter_mut().zip(rows) {
+            *bounds = Aabb::around(row.iter().copied());
         }
     }
 

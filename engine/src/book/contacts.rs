@@ -5,10 +5,10 @@
 //! lives over a flat table, as half-spaces turned back by the gutter's bend.
 
 use super::book_space_leaf::BookSpaceLeaf;
-use super::flaps::{Flaps, PARTS};
 use super::limits::TICK;
 use super::pile::Pile;
-use super::tolerance::{
+use crate::contact::flaps::{Flaps, PARTS};
+use crate::contact::tolerance::{
     APART, BETWEEN_NODES, CURLED, DEEPEST, FAR, GAP, LEAP, PAST_RIM, PUSHED_AT_ONCE,
 };
 use crate::models::sheet::{CAN_CREASE, CONTACTS, Contact};
@@ -275,10 +275,8 @@ fn nearest_of_itself(leaf: &BookSpaceLeaf, node: usize) -> Option<usize> {
     let columns = leaf.columns;
     let point = leaf.points[node];
     let (mut best, mut least) = (None, CURLED * CURLED);
-    for (row, [low, high]) in leaf.bounds.iter().enumerate() {
-        let beside =
-            |axis: usize| point[axis] < low[axis] - CURLED || point[axis] > high[axis] + CURLED;
-        if (0..3).any(beside) {
+    for (row, bounds) in leaf.bounds.iter().enumerate() {
+        if !bounds.grown([CURLED; 3]).holds(point) {
             continue;
         }
         for other in row * columns..(row + 1) * columns {

@@ -1,7 +1,7 @@
 //! The drawn mesh of a creased sheet: where its points are on the flat paper, and its parts.
 
-use super::mesh::{find_beyond, find_falling};
-use super::separate_parts::DrawnParts;
+use crate::contact::mesh::{find_beyond, find_falling};
+use crate::contact::separate_parts::DrawnParts;
 use crate::models::sheet::Sheet;
 
 /// How the drawn mesh of a creased leaf lies on its flat paper.
@@ -13,7 +13,7 @@ pub struct CreasedMesh {
     pub triangles: Vec<u32>,
     /// The part of the leaf that each triangle belongs to: see [`Sheet::drawn_triangles`](crate::Sheet::drawn_triangles).
     pub parts: Vec<u16>,
-    /// See [`Folds::falling`](super::mesh::Folds::falling).
+    /// See [`Folds::falling`](crate::contact::mesh::Folds::falling).
     pub(super) falling: Vec<bool>,
     /// Whether each point lies beyond a crease as seen from the spine.
     pub(super) beyond: Vec<bool>,

@@ -12,8 +12,8 @@
 use super::flight::{CUTTING, Flight, MOVING, Tolerance};
 use super::limits::MOST_FLIGHTS;
 use super::pile::Pile;
-use super::tolerance::{GRAZING, OVER_PILE, ROUNDING, TOUCHING};
-use super::work::Work;
+use crate::contact::tolerance::{GRAZING, OVER_PILE, ROUNDING, TOUCHING};
+use crate::contact::work::Work;
 use crate::grid::Side;
 
 /// Where no more fly than this, there is room for them.
@@ -375,13 +375,13 @@ impl Crossings {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::book::crossing::Tiles;
     use crate::book::leaf::Leaf;
     use crate::book::limits::NODES;
-    use crate::book::mesh::Mesh;
     use crate::book::paper::Paper;
     use crate::book::{Board, Book};
-    use crate::tolerance::AT_FACET;
+    use crate::contact::crossing::Tiles;
+    use crate::contact::mesh::Mesh;
+    use crate::contact::tolerance::AT_FACET;
 
     const WIDTH: f32 = 0.14;
 

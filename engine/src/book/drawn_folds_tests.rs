@@ -3,8 +3,9 @@
 use core::f32::consts::PI;
 
 use super::flight::Flight;
-use super::work::Work;
 use super::*;
+use crate::contact::tolerance::SLIVER;
+use crate::contact::work::Work;
 use crate::random::Random;
 
 const PAGE: [f32; 2] = [0.14, 0.21];
@@ -181,7 +182,7 @@ fn a_leaf_that_comes_out_of_a_pile_is_held_back_as_its_page() {
     flight.draw([right, left], [right, left], false);
     assert!(over(&flight) > 1e-3, "{} m", over(&flight));
     flight.draw_last();
-    assert!(over(&flight) < tolerance::SLIVER, "{} m", over(&flight));
+    assert!(over(&flight) < SLIVER, "{} m", over(&flight));
     let outermost = flight.surface().positions.chunks_exact(3);
     let widest = outermost.fold(0.0, |most: f32, point| most.max(point[0]));
     assert!(widest > 0.9 * PAGE[0], "{widest} m wide");

@@ -6,19 +6,21 @@ use core::sync::atomic::{AtomicU32, Ordering};
 
 use super::bend_into_gutter::{Over, bend_into_gutter, is_clear, push_edges_off, push_off};
 use super::creased_mesh::CreasedMesh;
-use super::crossing::{Tiles, is_past};
-use super::flap_order::FlapOrder;
-use super::flaps::is_turned_over;
 use super::leaf::Leaf;
 use super::limits::{FARTHEST, NODES};
-use super::mesh::{Folds, Mesh};
 use super::phase::Phase;
 use super::pile::Pile;
-use super::separate::{DrawnLeaf, find_bends, separate};
-use super::separate_folded::{MovedLeaf, Order, Outcome, PartedLeaf, PlacedBlocks, push_off_leaf};
-use super::separate_parts::{DrawnParts, ROUNDS};
-use super::tolerance::{AT_FACET, DEEP, PAST_AT_SPINE};
-use super::work::Work;
+use crate::contact::crossing::{Tiles, is_past};
+use crate::contact::flap_order::FlapOrder;
+use crate::contact::flaps::is_turned_over;
+use crate::contact::mesh::{Folds, Mesh};
+use crate::contact::separate::{DrawnLeaf, find_bends, separate};
+use crate::contact::separate_folded::{
+    MovedLeaf, Order, Outcome, PartedLeaf, PlacedBlocks, push_off_leaf,
+};
+use crate::contact::separate_parts::{DrawnParts, ROUNDS};
+use crate::contact::tolerance::{AT_FACET, DEEP, PAST_AT_SPINE};
+use crate::contact::work::Work;
 use crate::grid::Side;
 use crate::models::sheet::{CAN_CREASE, FoldLine};
 use crate::surface::Surface;
@@ -85,7 +87,7 @@ pub struct Flight {
     rounds: usize,
     /// The parts of what is drawn; of a whole leaf none until a creased one is next to it.
     parts: DrawnParts,
-    /// The creases that are shut as it is drawn: see [`Flaps::shut`](super::flaps::Flaps::shut).
+    /// The creases that are shut as it is drawn: see [`Flaps::shut`](crate::contact::flaps::Flaps::shut).
     shut: u16,
     /// Which points are folded over; empty where none is.
     turned_over: Vec<bool>,

@@ -3,9 +3,9 @@
 
 use super::book_space_leaf::WIDTH;
 use super::creased_mesh::CreasedMesh;
-use super::separate_parts::{DrawnParts, ROUNDS};
-use super::work::Work;
-use crate::flaps::Flaps;
+use crate::contact::flaps::Flaps;
+use crate::contact::separate_parts::{DrawnParts, ROUNDS};
+use crate::contact::work::Work;
 use crate::models::sheet::Sheet;
 use crate::surface::Surface;
 

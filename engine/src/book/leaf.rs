@@ -18,14 +18,14 @@ mod tests;
 
 use super::book_space_leaf::BookSpaceLeaf;
 use super::contacts::{ContactView, Neighbour, detect_contacts, detect_self_contacts};
-use super::flaps::Flaps;
 use super::fraction_turned::fraction_turned;
 use super::gutter::Gutter;
 use super::limits::{MAX_GRABS, NODES, TICK};
-use super::mesh::find_falling;
 use super::paper::Paper;
 use super::phase::Phase;
 use super::pile::Pile;
+use crate::contact::flaps::Flaps;
+use crate::contact::mesh::find_falling;
 use crate::grid::Side;
 use crate::models::sheet::{CAN_CREASE, FoldLine, Sheet};
 use crate::stock::Stock;

@@ -7,9 +7,9 @@
 use std::rc::Rc;
 
 use super::Book;
-use super::relief::Relief;
-use super::tolerance::FAR;
 use super::torn_leaf::TornLeaf;
+use crate::contact::relief::Relief;
+use crate::contact::tolerance::FAR;
 
 /// Steps loose sheets by `ticks` of [`TICK`](super::TICK) seconds on and beside a book as it is drawn, and
 /// brings what is drawn of them up to date. Those that are asleep and that nothing moves stay so.
@@ -87,9 +87,8 @@ fn raise_held(sheets: &mut [&mut TornLeaf], order: &mut Vec<usize>, book: &Book)
 /// Whether a sheet that comes after another in the order is over it in plan, and not below all of
 /// it.
 fn lies_over(sheets: &mut [&mut TornLeaf], lower: usize, upper: usize, book: &Book) -> bool {
-    let [[low, high], of_lower] = [upper, lower].map(|sheet| sheets[sheet].drawn_bounds());
-    let is_beside = |axis| low[axis] > of_lower[1][axis] || high[axis] < of_lower[0][axis];
-    if (0..2).any(is_beside) || high[2] < of_lower[0][2] {
+    let [of_upper, of_lower] = [upper, lower].map(|sheet| sheets[sheet].drawn_bounds());
+    if !of_upper.overlaps_in_plan(&of_lower) || of_upper.high[2] < of_lower.low[2] {
         return false;
     }
     let relief = sheets[lower].renew_relief(book);
@@ -100,10 +99,10 @@ fn lies_over(sheets: &mut [&mut TornLeaf], lower: usize, upper: usize, book: &Bo
 /// Whether two sheets are over or beside each other in plan, so near that the upper side of the
 /// first may be met by the second.
 fn are_near(sheets: &[&mut TornLeaf], lower: usize, upper: usize) -> bool {
-    let [[low, high], [from, to]] = [lower, upper].map(|sheet| sheets[sheet].node_bounds());
+    let [of_lower, of_upper] = [lower, upper].map(|sheet| sheets[sheet].node_bounds());
     // Beyond its rim it falls off by 45 degrees.
-    let room = (high[2] - sheets[lower].table()).max(0.0) + FAR;
-    (0..2).all(|axis| from[axis] <= high[axis] + room && to[axis] >= low[axis] - room)
+    let room = (of_lower.high[2] - sheets[lower].table()).max(0.0) + FAR;
+    of_lower.grown([room; 3]).overlaps_in_plan(&of_upper)
 }
 
 /// The upper sides of what a sheet may lie upon.
@@ -143,7 +142,7 @@ fn move_upon(sheets: &mut [&mut TornLeaf], order: &[usize], book: &Book, under: 
 /// Wakes sheets that lie over or beside another.
 fn wake_near(sheets: &mut [&mut TornLeaf], others: &[usize], relief: &Relief) {
     for other in others {
-        if relief.is_near(sheets[*other].node_bounds()) {
+        if relief.is_near(&sheets[*other].node_bounds()) {
             sheets[*other].wake();
         }
     }

@@ -10,11 +10,9 @@ mod book_space_leaf;
 mod contacts;
 mod creased_leaves;
 mod creased_mesh;
-mod crossing;
 mod draw;
 #[cfg(all(test, feature = "creases"))]
 mod drawn_folds_tests;
-mod flap_order;
 mod flight;
 mod flights;
 mod fold_out;
@@ -29,7 +27,6 @@ mod leaf;
 mod leaf_stocks;
 mod limits;
 mod loose_sheets;
-mod mesh;
 #[cfg(all(test, feature = "creases"))]
 mod page_folds_tests;
 mod paper;
@@ -38,18 +35,12 @@ mod parts_depth;
 mod phase;
 mod pile;
 mod pile_table;
-mod relief;
-mod separate;
-mod separate_folded;
-mod separate_parts;
 mod stillness;
 mod surroundings;
 #[cfg(test)]
 mod tests;
 mod torn_leaf;
-mod triangle;
 mod turn_by_place;
-mod work;
 
 pub use crate::models::sheet::TornMesh;
 pub use bend_into_gutter::bend_into_gutter;
@@ -66,12 +57,10 @@ pub use pile::{LAYERS, Pile, crowded_columns};
 pub use surroundings::TableAround;
 pub use torn_leaf::{TearLine, TornLeaf};
 
-use crate::flaps;
 use crate::grid::Side;
 use crate::models::sheet::FoldLine;
 use crate::stock::Stock;
 use crate::surface::Surface;
-use crate::tolerance;
 use flight::Flight;
 use flights::{Flights, Pattern};
 use gutter::Gutter;

@@ -1,7 +1,8 @@
 //! How deep the parts of a creased sheet are drawn in each other, for tests.
 
 use super::creased_mesh::CreasedMesh;
-use crate::flaps::{add_facing, facing_of};
+use crate::contact::flaps::{add_facing, facing_of};
+use crate::contact::triangle::area_normal;
 use crate::models::sheet::FoldLine;
 use crate::surface::Surface;
 use crate::vector::{cross, dot, sub, unit};
@@ -28,8 +29,8 @@ pub(super) fn depth_of_parts(surface: &Surface, mesh: &CreasedMesh, creases: &[F
     }
     let mut facing = Vec::new();
     for (corners, part) in corners.iter().zip(&mesh.parts) {
-        let [a, b, c] = corners.map(|corner| points[corner as usize]);
-        add_facing(&mut facing, *part, cross(sub(b, a), sub(c, a)));
+        let normal = area_normal(corners.map(|corner| points[corner as usize]));
+        add_facing(&mut facing, *part, normal);
     }
     let mut deepest: f32 = 0.0;
     for (point, own) in points.iter().zip(parts.iter().map(|part| part.flatten())) {

@@ -9,10 +9,10 @@ use std::rc::Rc;
 
 use super::Book;
 use super::bend_into_gutter::{Over, push_edges_off_where};
-use super::mesh::Folds;
 use super::pile::Pile;
-use super::relief::Relief;
-use super::tolerance::{DEEPEST, FAR, OVER_PILE, PUSHED_AT_ONCE};
+use crate::contact::mesh::Folds;
+use crate::contact::relief::Relief;
+use crate::contact::tolerance::{DEEPEST, FAR, OVER_PILE, PUSHED_AT_ONCE};
 use crate::grid::Side;
 use crate::models::sheet::{CONTACTS, Contact, Sheet};
 use crate::surface::Surface;

@@ -1,6 +1,8 @@
 //! The book: its piles, and many leaves in flight.
 
 use super::*;
+use crate::contact::aabb::Aabb;
+use crate::contact::triangle::area_normal;
 use crate::random::{Random, for_seeds};
 use crate::vector::{cross, dot, sub};
 
@@ -425,46 +427,33 @@ fn is_drawn_through(left: &Surface, right: &Surface) -> bool {
     let through = |edges: &Surface, other: &Surface| {
         let points = edges.positions.as_chunks::<3>().0;
         let corners = other.positions.as_chunks::<3>().0;
-        let range = |points: [[f32; 3]; 3], i: usize| {
-            let all = points.map(|point| point[i]);
-            all.into_iter()
-                .fold([f32::MAX, f32::MIN], |[low, high], x| {
-                    [
-                        if x < low { x } else { low },
-                        if x > high { x } else { high },
-                    ]
-                })
-        };
         let own = facets(edges);
-        let boxes: Vec<[[f32; 2]; 3]> = own
+        let boxes: Vec<Aabb> = own
             .iter()
-            .map(|own| [0, 1, 2].map(|i| range(own.map(|node| points[node]), i)))
+            .map(|own| Aabb::around(own.map(|node| points[node])))
             .collect();
         facets(other).iter().any(|facet| {
             let [a, b, c] = facet.map(|node| corners[node]);
-            let normal = cross(sub(b, a), sub(c, a));
+            let normal = area_normal([a, b, c]);
             let tolerance = 2e-6 * dot(normal, normal).sqrt();
-            let around = [0, 1, 2].map(|i| range([a, b, c], i));
+            let around = Aabb::around([a, b, c]);
             own.iter().zip(&boxes).any(|(own, bounds)| {
-                let apart = |i: usize| bounds[i][0] > around[i][1] || bounds[i][1] < around[i][0];
-                if (0..3).any(apart) {
-                    return false;
-                }
-                (0..3).any(|k| {
-                    let ends = [own[k], own[(k + 1) % 3]];
-                    let [p, q] = ends.map(|node| points[node]);
-                    let [h, g] = [p, q].map(|p| dot(sub(p, a), normal));
-                    if (is_same && ends.iter().any(|node| facet.contains(node)))
-                        || h.min(g) >= -tolerance
-                        || h.max(g) <= tolerance
-                    {
-                        return false;
-                    }
-                    let place = core::array::from_fn(|i| p[i] + h / (h - g) * (q[i] - p[i]));
-                    [[a, b], [b, c], [c, a]]
-                        .into_iter()
-                        .all(|[from, to]| dot(normal, cross(sub(to, from), sub(place, from))) > 0.0)
-                })
+                bounds.overlaps(&around)
+                    && (0..3).any(|k| {
+                        let ends = [own[k], own[(k + 1) % 3]];
+                        let [p, q] = ends.map(|node| points[node]);
+                        let [h, g] = [p, q].map(|p| dot(sub(p, a), normal));
+                        if (is_same && ends.iter().any(|node| facet.contains(node)))
+                            || h.min(g) >= -tolerance
+                            || h.max(g) <= tolerance
+                        {
+                            return false;
+                        }
+                        let place = core::array::from_fn(|i| p[i] + h / (h - g) * (q[i] - p[i]));
+                        [[a, b], [b, c], [c, a]].into_iter().all(|[from, to]| {
+                            dot(normal, cross(sub(to, from), sub(place, from))) > 0.0
+                        })
+                    })
             })
         })
     };

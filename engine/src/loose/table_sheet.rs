@@ -7,7 +7,7 @@ use core::f32::consts::PI;
 
 use super::settings::{InvalidLoose, LooseSettings};
 use crate::air::Air;
-use crate::flaps::{Flaps, PARTS};
+use crate::contact::flaps::{Flaps, PARTS};
 use crate::grid::Side;
 use crate::models::sheet::{Contact, FoldLine, Root, Sheet, SheetSettings};
 use crate::turn::TurnModel;

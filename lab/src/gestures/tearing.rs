@@ -21,7 +21,7 @@ const ROWS: usize = 14;
 pub const GRAB: u32 = 3;
 
 /// What the work of tearing follows from: J/m^2, the part of a perforated line that is paper, and
-/// how much paper two staples hold, metres. Typical of paper: docs/folding.md.
+/// how much paper two staples hold, metres. Typical of paper: docs/reports/folding.md.
 const FRACTURE: f64 = 1e4;
 const TIES: f64 = 0.3;
 const STAPLES: f64 = 0.024;

@@ -29,18 +29,19 @@ import { placeOf } from "./element/fold_lists.ts";
 import type { PageChanges } from "./element/page_changes.ts";
 import { layoutLists, type PageLists } from "./element/page_lists.ts";
 import { pageNumber, RequestedPage } from "./element/page_numbers.ts";
+import { differs, expectedPage, PageShown } from "./element/page_shown.ts";
 import { darkPagesOf, pageThemeOf, watchScheme } from "./element/page_theme.ts";
 import { ReaderElement } from "./element/reader_element.ts";
-import { expectedWidth, SetWidth } from "./element/set_width.ts";
 import { openPages, ShadowTree } from "./element/shadow_tree.ts";
 import { SoundAndHaptics } from "./element/sound_and_haptics.ts";
 import type { TornPages } from "./element/torn_pages.ts";
-import { typographyOf } from "./element/typography.ts";
+import { type ChosenTypography, typographyOf } from "./element/typography.ts";
 import { pagesIn } from "./sources/html/child_pages.ts";
 import { loadPart } from "./sources/load_part.ts";
 import type { BookInput } from "./sources/open.ts";
 import type { PageList } from "./sources/page_list.ts";
-import { BookError, type NewIndex, type Typography } from "./sources/page_source.ts";
+import { BookError, type NewIndex, type PageSize, type Typography } from "./sources/page_source.ts";
+import { paperback } from "./sources/typeset/page_measures.ts";
 import { coloursOf } from "./themes.ts";
 import type { Viewer, ViewerOptions, Zoom } from "./viewer/viewer.ts";
 import type { FilmFrames } from "./viewer/viewer_options.ts";
@@ -108,9 +109,9 @@ export class TurnleafBook extends ReaderElement {
   filmFrames: FilmFrames | null = null;
   /** Changes the book's pages, once they are to be changed. */
   #pageChanges: Promise<PageChanges> | null = null;
-  /** The width for which the open book's text is set. */
-  readonly #setWidth: SetWidth = new SetWidth(
-    () => (this.canTypeset ? (this.#viewer?.pageWidth ?? 0) : 0),
+  /** The size for which the open book's text is set. */
+  readonly #pageShown: PageShown = new PageShown(
+    () => this.#shownPage(),
     () => this.#typeset(),
   );
   readonly #controls = new ControlsLoader((error) => this.#reportMissingPart(error));
@@ -219,7 +220,7 @@ export class TurnleafBook extends ReaderElement {
 
   /** Whether the visible pages are at full sharpness, set for the size in which they are shown, and nothing moves. */
   get settled(): boolean {
-    return !this.#setWidth.isPending && (this.#viewer?.settled ?? false);
+    return !this.#pageShown.isPending && (this.#viewer?.settled ?? false);
   }
 
   /**
@@ -600,7 +601,7 @@ export class TurnleafBook extends ReaderElement {
       this.#left = { ...this.#left, page, anchor: this.source?.first.anchor?.(page - 1) };
     }
     if (this.#life.book) this.returnLists();
-    this.#setWidth.stop();
+    this.#pageShown.stop();
     this.#life.close();
     this.reportLists();
     this.#updateState();
@@ -793,8 +794,8 @@ export class TurnleafBook extends ReaderElement {
   #takeTypography(): Typography {
     const typography = typographyOf(this);
     this.#openedBy.typography = JSON.stringify(typography);
-    this.#setWidth.width = expectedWidth(this, this.#tree.stage, null, typography).width;
-    return { ...typography, width: this.#setWidth.width };
+    this.#pageShown.size = expectedPage(this, this.#tree.stage, null, null, typography);
+    return this.#setFor(typography);
   }
 
   /** Returns the book that the element's children are; "" if there are none yet. */
@@ -857,7 +858,7 @@ export class TurnleafBook extends ReaderElement {
         if (isOpen) this.#tree.announce(detail.message);
         this.emit("pageerror", { ...detail, page });
       },
-      onPageWidth: () => this.#setWidth.follow(),
+      onPageWidth: () => this.#pageShown.follow(),
       onLayout: () => this.#laidOut(),
       onPage: (from, to) => this.#pageChanged(from, to, from < to ? "forward" : "backward"),
       onMotion: (...frame) => {
@@ -987,14 +988,44 @@ export class TurnleafBook extends ReaderElement {
 
   async #typeset(): Promise<void> {
     const typography = typographyOf(this);
-    // Larger type may have one page shown instead of two.
-    const expected = expectedWidth(this, this.#tree.stage, this.source ?? null, typography);
-    if (expected.layout !== this.shownLayout) this.#setWidth.width = expected.width;
+    // Larger type may have one page shown instead of two, or wider ones.
+    const expected = this.#expectedPage(typography);
+    if (expected.layout === this.shownLayout) this.#pageShown.take();
+    else this.#pageShown.size = expected;
     try {
-      await this.source?.typeset?.({ ...typography, width: this.#setWidth.width });
+      await this.source?.typeset?.(this.#setFor(typography));
     } catch (error) {
       this.#reportMissingPart(error);
     }
+  }
+
+  #setFor(typography: ChosenTypography): Typography {
+    const { width, height } = this.#pageShown.size;
+    return { ...typography, width, height };
+  }
+
+  #expectedPage(typography: ChosenTypography): ReturnType<typeof expectedPage> {
+    return expectedPage(
+      this,
+      this.#tree.stage,
+      this.source ?? null,
+      this.#viewer?.binding.layout ?? null,
+      typography,
+    );
+  }
+
+  /**
+   * Returns how large pages of flowing text are shown, or are to be if that is of another shape; null while
+   * it is unknown.
+   */
+  #shownPage(): PageSize | null {
+    const width = this.canTypeset ? (this.#viewer?.pageWidth ?? 0) : 0;
+    if (width === 0) return null;
+    const leaf = this.source?.leaf ?? paperback;
+    const expected = this.#expectedPage(typographyOf(this));
+    const height = (width * leaf.height) / leaf.width;
+    const isOther = differs(expected.width / expected.height, width / height);
+    return isOther ? expected : { width, height };
   }
 
   #pagesChanged(): void {

@@ -2,11 +2,11 @@
 
 use super::{CUTTING, Flight, MOVING, folds};
 use crate::book::gutter::Gutter;
-use crate::book::mesh::Mesh;
 use crate::book::phase::Phase;
-use crate::book::separate_parts::ROUNDS;
-use crate::book::tolerance::{AT_FACET, DEEP, GAP};
-use crate::book::work::Work;
+use crate::contact::mesh::Mesh;
+use crate::contact::separate_parts::ROUNDS;
+use crate::contact::tolerance::{AT_FACET, DEEP, GAP};
+use crate::contact::work::Work;
 
 impl Flight {
     /// Takes back what a tick did to it where its paper would be drawn through itself after

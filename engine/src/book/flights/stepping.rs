@@ -9,7 +9,7 @@ use crate::book::gutter::Gutter;
 use crate::book::limits::{MOST_FLIGHTS, TICK};
 use crate::book::phase::Phase;
 use crate::book::pile::Pile;
-use crate::book::tolerance::{DEEP, DEEPEST, NEEDS_TEST, TUNNELLED};
+use crate::contact::tolerance::{DEEP, DEEPEST, NEEDS_TEST, TUNNELLED};
 use crate::grid::Side;
 
 /// How firmly a leaf meets one that is stepped after it: half of what overlaps

@@ -1,7 +1,7 @@
 //! Where the flap of a fold-out is, and the panels into which it is folded.
 
 use crate::book::limits::NODES;
-use crate::flaps::PARTS_GAP;
+use crate::contact::flaps::PARTS_GAP;
 use crate::grid::Side;
 
 /// Least distance of a fold from the spine, and least width of a panel, as fractions of the page.

@@ -3,9 +3,9 @@
 use super::Leaf;
 use super::lead::LYING;
 use super::play::USUAL;
-use crate::book::flaps::Flaps;
 use crate::book::limits::{MAX_GRABS, NODES, TICK};
 use crate::book::phase::Phase;
+use crate::contact::flaps::Flaps;
 use crate::grid::Side;
 use crate::models::sheet::CAN_CREASE;
 

@@ -2,8 +2,8 @@
 
 use super::Leaf;
 use super::opening::Opening;
-use crate::book::flaps::Flaps;
 use crate::book::phase::Phase;
+use crate::contact::flaps::Flaps;
 use crate::grid::Side;
 use crate::models::sheet::{CAN_CREASE, FoldLine};
 

@@ -663,7 +663,7 @@ fn drawn_through_itself(
 #[test]
 #[cfg(feature = "creases")]
 fn a_folded_leaf_that_comes_to_lie_through_itself_is_opened_anew() {
-    use crate::book::mesh::find_beyond;
+    use crate::contact::mesh::find_beyond;
     use crate::models::sheet::FoldLine;
     let through = [[0.6, 0.0], [0.6, 1.0]];
     let crease = FoldLine::pressed(through, 160f64.to_radians(), &Stock::BOOK, f64::from(WIDTH));

@@ -5,9 +5,10 @@ use std::rc::Rc;
 
 use super::{Crumpled, TornLeaf};
 use crate::book::Book;
-use crate::book::relief::{Relief, bounds};
 use crate::book::surroundings::Surroundings;
-use crate::book::tolerance::DEEPEST;
+use crate::contact::aabb::Aabb;
+use crate::contact::relief::Relief;
+use crate::contact::tolerance::DEEPEST;
 use crate::surface::Surface;
 
 impl TornLeaf {
@@ -61,14 +62,16 @@ impl TornLeaf {
         relief
     }
 
-    /// The least and the greatest coordinates of its nodes, metres.
-    pub(in crate::book) fn node_bounds(&self) -> [[f32; 3]; 2] {
-        bounds(self.sheet.positions())
+    /// The box around its nodes.
+    pub(in crate::book) fn node_bounds(&self) -> Aabb {
+        let nodes = self.sheet.positions().as_chunks::<3>().0;
+        Aabb::around(nodes.iter().copied())
     }
 
-    /// The least and the greatest coordinates of what is drawn of it, metres.
-    pub(in crate::book) fn drawn_bounds(&self) -> [[f32; 3]; 2] {
-        bounds(&self.surface.positions)
+    /// The box around what is drawn of it.
+    pub(in crate::book) fn drawn_bounds(&self) -> Aabb {
+        let points = self.surface.positions.as_chunks::<3>().0;
+        Aabb::around(points.iter().copied())
     }
 
     /// Height of the table, metres.

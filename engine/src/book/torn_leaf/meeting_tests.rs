@@ -3,9 +3,9 @@
 use super::tests::{AROUND, held_folded, lying, settle, tear_off};
 use super::*;
 use crate::book::loose_sheets::{step_together, wake_upon};
-use crate::book::relief::bounds;
 use crate::book::stillness::LONGEST_FALL;
-use crate::book::tolerance::OVER_PILE;
+use crate::contact::aabb::Aabb;
+use crate::contact::tolerance::OVER_PILE;
 use crate::models::sheet::FoldLine;
 use crate::stock::Stock;
 
@@ -100,13 +100,9 @@ fn depth(lower: &TornLeaf, upper: &TornLeaf) -> Option<f32> {
     let mut deepest: Option<f32> = None;
     let uppers = triangles(upper);
     for lower in triangles(lower) {
-        let [low, high] = bounds(lower.as_flattened());
+        let around = Aabb::around(lower);
         for upper in &uppers {
-            let is_beside = (0..2).any(|axis| {
-                let at = upper.map(|corner| corner[axis]);
-                at.iter().all(|at| *at < low[axis]) || at.iter().all(|at| *at > high[axis])
-            });
-            if is_beside {
+            if !around.overlaps_in_plan(&Aabb::around(*upper)) {
                 continue;
             }
             let below = upper
@@ -225,7 +221,7 @@ fn a_sheet_is_pulled_out_from_below_another() {
         rest(&mut sheets, &book, &mut course);
         let moved = lay.iter().zip(&sheets[1].surface().positions);
         let most = moved.fold(0.0f32, |most, (a, b)| most.max((a - b).abs()));
-        let low = bounds(&sheets[1].surface().positions)[0][2] - AROUND.table;
+        let low = sheets[1].drawn_bounds().low[2] - AROUND.table;
         println!("the upper moved by {most} m, and lies {low} m over the table");
         check("pulled out", &sheets, &course);
         assert!(low < 0.001, "{low}");
@@ -252,7 +248,7 @@ fn a_sheet_that_is_jerked_up_from_below_another_throws_nothing_about() {
             sheets[0].pull(0, [x + away, y, z + 0.06]);
             tick(&mut sheets, &book, &mut course);
         }
-        let raised = bounds(&sheets[1].surface().positions)[1][2] - AROUND.table;
+        let raised = sheets[1].drawn_bounds().high[2] - AROUND.table;
         sheets[0].release();
         rest(&mut sheets, &book, &mut course);
         println!("raised by {raised} m");
@@ -279,7 +275,7 @@ fn what_is_taken_away_lets_down_what_lay_upon_it() {
     wake_upon(&mut [&mut first, &mut second], 1, &book);
     assert!(first.is_asleep());
     settle(&mut second, &book);
-    let low = bounds(&second.surface().positions)[0][2] - AROUND.table;
+    let low = second.drawn_bounds().low[2] - AROUND.table;
     assert!(low < 1.5 * OVER_PILE, "{low}");
 }
 
@@ -354,7 +350,7 @@ fn a_ball_and_a_sheet_lie_upon_each_other() {
         settle(ball, &book);
         let mut sheets = [first, second];
         let mut course = Course::default();
-        let [low, high] = bounds(&sheets[0].surface().positions);
+        let Aabb { low, high } = sheets[0].drawn_bounds();
         let [x, y] = [0, 1].map(|axis| low[axis].midpoint(high[axis]));
         let to = [x, y, high[2] + 0.04];
         carry(&mut sheets, 1, ([0.5, 0.5], to), &book, &mut course);

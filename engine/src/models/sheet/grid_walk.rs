@@ -1,6 +1,6 @@
 //! Finds in which triangle of a material a place lies, cell by cell from one nearby.
 
-use super::flat::{Place, twice_area};
+use super::flat::{Place, twice_area, weights};
 use super::material::Material;
 use core::ops::Range;
 
@@ -96,10 +96,9 @@ fn in_cell(
     let areas = places.map(|[a, b, c]| twice_area(a, b, c));
     let most = areas.iter().fold(0.0, |most: f64, area| most.max(*area));
     (0..4).filter_map(move |k| {
-        let [a, b, c] = places[k];
         (areas[k] > FLAT * most).then(|| LocatedPlace {
             corners: triangles[k],
-            weights: [(b, c), (c, a), (a, b)].map(|(p, q)| twice_area(place, p, q) / areas[k]),
+            weights: weights(place, places[k]),
         })
     })
 }

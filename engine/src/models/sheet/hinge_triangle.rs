@@ -21,7 +21,7 @@ const TWO: [[usize; 2]; 3] = [[1, 0], [2, 0], [2, 1]];
 
 /// A triangle with its corners in rising order.
 #[derive(Clone, Debug)]
-pub(super) struct Triangle {
+pub(super) struct HingeTriangle {
     corners: [usize; 3],
     /// Across each of its hinges.
     apexes: [usize; 3],
@@ -39,7 +39,7 @@ pub(super) struct Triangle {
     is_first_later: [bool; 3],
 }
 
-impl Triangle {
+impl HingeTriangle {
     /// A triangle of some corners. Each of its hinges is given with its four vertices, which
     /// are of another hinge where it has none. `stiffness` is of the angles of its hinges.
     pub fn new(

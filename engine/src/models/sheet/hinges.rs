@@ -13,7 +13,7 @@
 
 use super::crease::FoldLine;
 use super::hinge_angles::{Hinge, Slopes, angles, measure};
-use super::hinge_triangle::Triangle;
+use super::hinge_triangle::HingeTriangle;
 use super::material::{Material, cut};
 use super::plates::{plate_at, weights};
 use super::settings::{Root, SheetSettings};
@@ -53,7 +53,7 @@ pub(super) struct Hinges {
     hinges: Vec<Hinge>,
     /// For each four hinges and each of their vertices 1 where that moves, else 0.
     moves: Vec<[Four; 4]>,
-    triangles: Vec<Triangle>,
+    triangles: Vec<HingeTriangle>,
     folds: Vec<Fold>,
     /// Folds' hinges, in fours; the last is repeated.
     folded: Vec<[Hinge; 4]>,
@@ -211,7 +211,7 @@ impl Hinges {
                 (hinge, self.hinges[hinge])
             });
             self.triangles
-                .push(Triangle::new(*corners, hinges, stiffness));
+                .push(HingeTriangle::new(*corners, hinges, stiffness));
         }
     }
 

@@ -6,7 +6,7 @@
 //! same rows, for contacts, grabs and drawing.
 
 use super::crease::FoldLine;
-use super::flat::{distance, twice_area};
+use super::flat::{distance, twice_area, weights};
 use super::settings::{CAN_CREASE, CAN_TEAR, SheetSettings};
 use crate::real::bounded;
 use core::ops::Range;
@@ -299,12 +299,9 @@ impl Material {
         (best.0, best.1)
     }
 
-    /// Weights with which the corners of a triangle have a place as their mean; all are
-    /// above 0 within it.
+    /// The [weights] of the corners of a triangle of nodes at a place.
     pub fn weights(&self, corners: &[usize; 3], place: [f64; 2]) -> [f64; 3] {
-        let [a, b, c] = corners.map(|node| self.places[node]);
-        let all = twice_area(a, b, c);
-        [(b, c), (c, a), (a, b)].map(|(p, q)| twice_area(place, p, q) / all)
+        weights(place, corners.map(|node| self.places[node]))
     }
 
     /// The whole line of a crease.

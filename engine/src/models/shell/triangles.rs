@@ -25,7 +25,7 @@ use crate::rigidity::Rigidity;
 /// A right triangle: its hinges over the leg along v, the leg along u and the
 /// diagonal, and the stiffness that couples them.
 #[derive(Clone, Debug)]
-struct Triangle {
+struct TriangleElement {
     hinges: [Option<usize>; 3],
     /// Its nodes and the apexes across its edges, and where among them the
     /// vertices of each hinge are.
@@ -35,7 +35,7 @@ struct Triangle {
     stiffness: [[f64; 3]; 3],
 }
 
-impl Triangle {
+impl TriangleElement {
     fn new(hinges: [Option<usize>; 3], all: &[Hinge], stiffness: [[f64; 3]; 3]) -> Self {
         let mut nodes = Vec::new();
         let vertices = hinges.map(|hinge| {
@@ -103,7 +103,7 @@ fn product(a: &[Vector; 3], b: &[Vector; 3]) -> Block {
 pub(super) struct TriangleBending {
     mesh: Mesh,
     hinges: Vec<Hinge>,
-    triangles: Vec<Triangle>,
+    triangles: Vec<TriangleElement>,
     /// The hinges that lie on creases.
     folds: Vec<Fold>,
     /// Ratio of damping to stiffness, and the angles from which damping pulls.
@@ -190,7 +190,7 @@ impl TriangleBending {
             };
             let stiffness = core::array::from_fn(|i| core::array::from_fn(|j| product(i, j)));
             self.triangles
-                .push(Triangle::new(hinges, &self.hinges, stiffness));
+                .push(TriangleElement::new(hinges, &self.hinges, stiffness));
         }
     }
 
@@ -221,7 +221,8 @@ impl TriangleBending {
                 let shape = shape_operator(&mesh, diagonal, clamped);
                 let free = [leg_v.is_none(), leg_u.is_none()];
                 let stiffness = stiffness(&mesh, &plates[column_v].moments(free), &shape);
-                let triangle = Triangle::new([leg_v, leg_u, across], &self.hinges, stiffness);
+                let triangle =
+                    TriangleElement::new([leg_v, leg_u, across], &self.hinges, stiffness);
                 self.triangles.push(triangle);
             }
         }
@@ -236,7 +237,7 @@ impl TriangleBending {
             if from % columns != folded.column || to != from + columns {
                 continue;
             }
-            let of_triangle = |triangle: &Triangle| match triangle.hinges[0] {
+            let of_triangle = |triangle: &TriangleElement| match triangle.hinges[0] {
                 Some(leg) if leg == hinge => triangle.stiffness[0][0],
                 _ => 0.0,
             };

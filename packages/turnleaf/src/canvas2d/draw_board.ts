@@ -7,15 +7,7 @@ import type { PagePicture } from "../sources/page_source.ts";
 import type { FaceDetail } from "../stage/book_stage.ts";
 import { lookOf } from "../themes.ts";
 import { stretchTo } from "./canvas_layout.ts";
-import {
-  type Brush,
-  drawDetail,
-  fillBetween,
-  fillCloth,
-  light,
-  type Stops,
-  shade,
-} from "./draw_book.ts";
+import { type Brush, drawDetail, fillBetween, fillCloth, type Stops } from "./draw_book.ts";
 
 /** How much larger the fore-edge of an upright board looks, because it is nearer to the eye. */
 const nearness = 0.16;
@@ -25,15 +17,15 @@ const sliceWidth = 3;
 
 /** The hinge's groove and the rounded fore-edge of a board seen from outside. */
 const groove: Stops = [
-  [0, shade(0.5)],
-  [0.014, light(0.1)],
-  [0.03, shade(0.1)],
-  [0.046, shade(0.42)],
-  [0.062, shade(0.06)],
-  [0.075, light(0.12)],
-  [0.1, shade(0)],
-  [0.97, shade(0)],
-  [1, shade(0.3)],
+  [0, -0.5],
+  [0.014, 0.1],
+  [0.03, -0.1],
+  [0.046, -0.42],
+  [0.062, -0.06],
+  [0.075, 0.12],
+  [0.1, 0],
+  [0.97, 0],
+  [1, -0.3],
 ];
 
 /**
@@ -90,12 +82,12 @@ export function drawBoard(brush: Brush, board: SeenBoard): void {
   const edge = cos * width;
   const all = [Math.min(0, edge), -height, Math.max(0, edge), 2 * height] as const;
   const across = [0, 0, edge, 0] as const;
-  if (side === "outside") fillBetween(pen, across, groove, all);
+  if (side === "outside") fillBetween(brush, across, groove, all);
   const turnedAway: Stops = [
-    [0, shade(0.2 * sin)],
-    [1, shade(0.5 * sin)],
+    [0, -0.2 * sin],
+    [1, -0.5 * sin],
   ];
-  fillBetween(pen, across, turnedAway, all);
+  fillBetween(brush, across, turnedAway, all);
   pen.restore();
 }
 

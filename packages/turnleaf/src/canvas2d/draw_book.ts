@@ -29,49 +29,60 @@ export interface Brush {
   readonly toCanvas: DOMMatrix;
 }
 
-/** Colour stops: position from 0 to 1, then a colour. */
-export type Stops = readonly (readonly [at: number, color: string])[];
+/** Stops of a gradient: position from 0 to 1, then the opacity of light, or less than 0 of shade. */
+export type Stops = readonly (readonly [at: number, tone: number])[];
 
-/** Returns a warm shade of an opacity, as on paper lit by other paper. */
-export const shade = (opacity: number): string => `rgb(58 40 22 / ${opacity})`;
-export const light = (opacity: number): string => `rgb(255 253 246 / ${opacity})`;
+/** How much of the light on paper dark paper gives back. */
+const darkLight = 0.3;
+
+/** Returns the colour of a tone, as `Stops` have it: warm, as on paper lit by other paper, which dark paper does not light. */
+function toneOf(shape: BookShape, tone: number): string {
+  const { isDark } = lookOf(shape);
+  if (tone > 0) return `rgb(255 253 246 / ${isDark ? darkLight * tone : tone})`;
+  return `rgb(${isDark ? "0 0 0" : "58 40 22"} / ${Math.abs(tone)})`;
+}
+
+/** Gives a gradient its colours. */
+export function addStops(gradient: CanvasGradient, shape: BookShape, stops: Stops): void {
+  for (const [at, tone] of stops) gradient.addColorStop(at, toneOf(shape, tone));
+}
 
 /**
  * The rise of the pages from the gutter: the left page faces away from the
  * light, the right one toward it. Beyond the inner margin no shade takes from the print.
  */
 const leftGutter: Stops = [
-  [0, shade(0.5)],
-  [0.012, shade(0.36)],
-  [0.05, shade(0.18)],
-  [0.09, shade(0.08)],
-  [0.13, shade(0.035)],
-  [0.2, shade(0.01)],
-  [0.3, shade(0)],
-  [0.8, shade(0)],
-  [1, shade(0.035)],
+  [0, -0.5],
+  [0.012, -0.36],
+  [0.05, -0.18],
+  [0.09, -0.08],
+  [0.13, -0.035],
+  [0.2, -0.01],
+  [0.3, 0],
+  [0.8, 0],
+  [1, -0.035],
 ];
 const rightGutter: Stops = [
-  [0, shade(0.46)],
-  [0.01, shade(0.3)],
-  [0.035, shade(0.13)],
-  [0.08, shade(0.045)],
-  [0.15, shade(0.012)],
-  [0.26, shade(0)],
-  [0.75, shade(0)],
-  [0.9, shade(0.012)],
-  [1, shade(0.05)],
+  [0, -0.46],
+  [0.01, -0.3],
+  [0.035, -0.13],
+  [0.08, -0.045],
+  [0.15, -0.012],
+  [0.26, 0],
+  [0.75, 0],
+  [0.9, -0.012],
+  [1, -0.05],
 ];
 
 /** Fills a box with a gradient from one place to another. */
 export function fillBetween(
-  pen: CanvasRenderingContext2D,
+  { pen, shape }: Pick<Brush, "pen" | "shape">,
   [x0, y0, x1, y1]: Box,
   stops: Stops,
   [left, top, right, bottom]: Box,
 ): void {
   const gradient = pen.createLinearGradient(x0, y0, x1, y1);
-  for (const [at, color] of stops) gradient.addColorStop(at, color);
+  addStops(gradient, shape, stops);
   pen.fillStyle = gradient;
   pen.fillRect(left, top, right - left, bottom - top);
 }
@@ -96,7 +107,7 @@ export function drawPage(
     pen.fillStyle = lookOf(shape).paper;
     pen.fillRect(box[0], 0, width, height);
   }
-  fillBetween(pen, [0, 0, sign * width, 0], sign === 1 ? rightGutter : leftGutter, box);
+  fillBetween({ pen, shape }, [0, 0, sign * width, 0], sign === 1 ? rightGutter : leftGutter, box);
 }
 
 /** Draws a picture over the square of side 1: pixel by pixel, if it is as large as that on the canvas. */
@@ -135,7 +146,7 @@ export function drawStack({ pen, shape, unit }: Brush, sign: 1 | -1, thickness: 
     const tone = 0.5 + 0.5 * Math.sin(k * 12.9898);
     pen.fillStyle = edges;
     pen.fillRect(sign === 1 ? 0 : -width - dx, dy, width + dx, height);
-    pen.fillStyle = shade(0.12 * tone + 0.005 * k);
+    pen.fillStyle = toneOf(shape, -0.12 * tone - 0.005 * k);
     pen.fillRect(sign === 1 ? 0 : -width - dx, dy, width + dx, height);
   }
   if (layers > 0) {
@@ -143,11 +154,11 @@ export function drawStack({ pen, shape, unit }: Brush, sign: 1 | -1, thickness: 
     const box: Box =
       sign === 1 ? [width, 0, edge, height + down] : [edge, 0, -width, height + down];
     fillBetween(
-      pen,
+      { pen, shape },
       [sign * width, 0, edge, 0],
       [
-        [0, shade(0)],
-        [1, shade(0.22)],
+        [0, 0],
+        [1, -0.22],
       ],
       box,
     );
@@ -191,7 +202,7 @@ export function drawCase({ pen, shape, unit }: Brush, pose: BookPose): void {
     fillRounded(pen, whole, caseSizes.corner);
   }
   if (!isHard) return;
-  for (const box of sides) drawCloth(pen, box, unit);
+  for (const box of sides) drawCloth({ pen, shape, unit }, box);
 }
 
 /**
@@ -238,18 +249,18 @@ export function fillCloth(pen: CanvasRenderingContext2D, shape: BookShape, fill:
 }
 
 /** Draws light and edges on a lying board. */
-function drawCloth(pen: CanvasRenderingContext2D, box: Box, unit: number): void {
+function drawCloth({ pen, shape, unit }: Omit<Brush, "toCanvas">, box: Box): void {
   const [left, top, right, bottom] = box;
   fillBetween(
-    pen,
+    { pen, shape },
     [left, top, right, bottom],
     [
-      [0, light(0.1)],
-      [1, shade(0.25)],
+      [0, 0.1],
+      [1, -0.25],
     ],
     box,
   );
-  pen.strokeStyle = shade(0.5);
+  pen.strokeStyle = toneOf(shape, -0.5);
   pen.lineWidth = 1 / unit;
   pen.strokeRect(left, top, right - left, bottom - top);
 }

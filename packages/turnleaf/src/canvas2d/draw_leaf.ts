@@ -3,7 +3,7 @@
 import { Side } from "../engine/phases.ts";
 import { lookOf } from "../themes.ts";
 import { pageBox } from "./canvas_layout.ts";
-import { type Brush, light, type Stops, shade } from "./draw_book.ts";
+import { addStops, type Brush, type Stops } from "./draw_book.ts";
 import type { DrawnPage } from "./drawn_page.ts";
 import { beyond, type FoldLine, foldLineOf, mirrored, type Point, partOf } from "./fold_line.ts";
 import type { PeeledSurface } from "./peeled_book.ts";
@@ -40,10 +40,10 @@ export function drawFlat(brush: Brush, leaf: PeeledSurface, drawn: DrawnPage): v
   trace(pen, partOf(page, crease, 1));
   pen.clip();
   across(brush, crease, Math.min(0.8 * reach, 0.4 * brush.shape.width), [
-    [0, shade(0.5 * height)],
-    [0.2, shade(0.26 * height)],
-    [0.55, shade(0.09 * height)],
-    [1, shade(0)],
+    [0, -0.5 * height],
+    [0.2, -0.26 * height],
+    [0.55, -0.09 * height],
+    [1, 0],
   ]);
   pen.restore();
   pen.save();
@@ -96,6 +96,13 @@ export function drawFolded(
     behind.draw(brush);
   }
   pen.restore();
+  if (lookOf(shape).isDark) {
+    // On dark paper no shadow is seen: its cut edges catch light, as far as they are in the air.
+    pen.strokeStyle = `rgb(255 253 246 / ${0.4 * height})`;
+    pen.lineWidth = 2 / unit;
+    trace(pen, outline);
+    pen.stroke();
+  }
   across(brush, crease, -reach, roundness(height * shape.shadows));
   pen.restore();
 }
@@ -103,14 +110,14 @@ export function drawFolded(
 /** Returns the light on the folded part, from the crease to its far end. */
 function roundness(height: number): Stops {
   return [
-    [0, shade(0.42 * height)],
-    [0.03, shade(0.24 * height)],
-    [0.1, shade(0.06 * height)],
-    [0.16, light(0.1 * height)],
-    [0.24, light(0.42 * height)],
-    [0.4, light(0.08 * height)],
-    [0.55, shade(0.02 * height)],
-    [1, shade(0.16 * height)],
+    [0, -0.42 * height],
+    [0.03, -0.24 * height],
+    [0.1, -0.06 * height],
+    [0.16, 0.1 * height],
+    [0.24, 0.42 * height],
+    [0.4, 0.08 * height],
+    [0.55, -0.02 * height],
+    [1, -0.16 * height],
   ];
 }
 
@@ -142,7 +149,7 @@ function across({ pen, shape }: Brush, { at, normal }: FoldLine, far: number, st
   pen.save();
   pen.transform(nx, ny, -ny, nx, x, y);
   const gradient = pen.createLinearGradient(0, 0, far, 0);
-  for (const [place, color] of stops) gradient.addColorStop(place, color);
+  addStops(gradient, shape, stops);
   pen.fillStyle = gradient;
   const size = 3 * (shape.width + shape.height);
   pen.fillRect(0, -size, far, 2 * size);

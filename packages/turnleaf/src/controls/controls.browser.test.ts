@@ -6,6 +6,7 @@
 import { afterEach, expect, test } from "vitest";
 import { userEvent } from "vitest/browser";
 import { pageTap } from "../element/page_tap.ts";
+import { clock } from "../for_tests/clock.ts";
 import { eventually } from "../for_tests/eventually.ts";
 import { addFakeBook } from "../for_tests/fake_book.ts";
 import { addLanguage } from "../words/languages.ts";
@@ -549,6 +550,52 @@ test("hits come in while the book is searched, and stay, on other pages, when it
   const [asked, said] = [field, status as Element].map((at) => at.getBoundingClientRect());
   expect(said?.top).toBeGreaterThanOrEqual(asked?.bottom ?? 0);
   expect((said?.top ?? 0) - (asked?.bottom ?? 0)).toBeLessThan(20);
+  remove();
+  book.remove();
+});
+
+test("bars that lie over the book hide as a page is turned by hand, and come back by a tap or a key", async () => {
+  const { book, root, remove } = addFakeBook(844);
+  const stage = root.querySelector("[part=stage]") as HTMLElement;
+  const frame = root.querySelector(".frame") as HTMLElement;
+  const isBare = (): boolean => frame.classList.contains("bare");
+  const turnBy = (on: Element | null): void => {
+    on?.dispatchEvent(new PointerEvent("pointerdown", { bubbles: true, composed: true }));
+    book.dispatchEvent(new CustomEvent("turnstart"));
+  };
+  // Beside the book they stay.
+  turnBy(stage);
+  book.dispatchEvent(new CustomEvent("load"));
+  await clock.pass(4000);
+  expect(isBare()).toBe(false);
+  stage.style.inset = "0";
+  book.dispatchEvent(new CustomEvent("load"));
+  expect(isBare()).toBe(false);
+  await clock.pass(4000);
+  expect(isBare()).toBe(true);
+  stage.dispatchEvent(new Event(pageTap));
+  await clock.pass(4000);
+  expect(isBare()).toBe(false);
+  turnBy(root.querySelector("[part=pages] button"));
+  expect(isBare()).toBe(false);
+  turnBy(stage);
+  expect(isBare()).toBe(true);
+  stage.dispatchEvent(new Event(pageTap));
+  expect(isBare()).toBe(false);
+  turnBy(stage);
+  frame.dispatchEvent(new KeyboardEvent("keydown", { key: "ArrowRight", bubbles: true }));
+  book.dispatchEvent(new CustomEvent("turnstart"));
+  expect(isBare()).toBe(false);
+  remove();
+  book.remove();
+});
+
+test("all that is selected is the book's text: no field is selected that is not being used", () => {
+  const { book, root, remove } = addFakeBook(390);
+  const field = root.querySelector("[part=field]") as HTMLInputElement;
+  expect(getComputedStyle(field).userSelect).toBe("none");
+  field.focus();
+  expect(getComputedStyle(field).userSelect).toBe("text");
   remove();
   book.remove();
 });

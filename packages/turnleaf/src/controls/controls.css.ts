@@ -2,9 +2,9 @@
 export const style: string = /* css */ `
 .frame { --wide: 304px; }
 .ui { color: var(--turnleaf-ink); font: max(14px, 0.875rem)/1.4 var(--turnleaf-font); accent-color: var(--turnleaf-accent); }
-/* What is selected is the book's text, and not the title with it. */
+/* What is selected is the book's text, and not the title or the number of the page with it. */
 .ui { user-select: none; -webkit-user-select: none; }
-.ui input { user-select: text; -webkit-user-select: text; }
+.ui input:focus { user-select: text; -webkit-user-select: text; }
 .ui[hidden], .ui [hidden] { display: none !important; }
 .unseen { position: absolute; width: 1px; height: 1px; overflow: hidden; clip-path: inset(50%); }
 .ui button, .ui input { font: inherit; color: inherit; }

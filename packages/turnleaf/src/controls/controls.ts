@@ -166,7 +166,7 @@ function build<Hit extends FoundPlace>(
   });
   observer.observe(book, { attributeFilter: watched });
   watchFullScreen(book, frame, refresh, signal);
-  watchTaps(frame, stage, isNarrow, signal);
+  watchTaps(book, frame, stage, isNarrow, signal);
   listenToKeys(
     book,
     {

@@ -1,7 +1,7 @@
 /** In full screen the bars hide, and come back when the pointer moves. */
 
 /** Milliseconds for which the bars stay after the last movement. */
-const sight = 2500;
+export const sight = 2500;
 
 /**
  * Follows the pointer while an element fills the screen. No timer runs once the

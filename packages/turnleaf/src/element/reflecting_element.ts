@@ -249,7 +249,8 @@ export class ReflectingElement extends Base {
 
   /**
    * Whether the lines of flowing text are of one length (`justify`) or as long as their words
-   * (`start`); the default is as the book has it.
+   * (`start`). The default is as the book has it; where it says nothing, of one length if the browser
+   * divides words of their language, so that there are no gaps, and as long as their words if not.
    *
    * @attribute text-align
    * @default ""
@@ -264,8 +265,9 @@ export class ReflectingElement extends Base {
 
   /**
    * Whether words of flowing text are divided at the ends of lines (`auto`), in languages that the
-   * browser divides, and in English, German, French, Spanish, Italian and Portuguese, or not (`none`);
-   * the default is as the book has it.
+   * browser divides, and in English, German, French, Spanish, Italian and Portuguese, or not (`none`).
+   * The default is as the book has it; where it says nothing, lines of one length have their words divided
+   * if the browser divides words of their language.
    *
    * @attribute hyphens
    * @default ""

@@ -166,13 +166,17 @@ ${night(':host([theme="night"])')}
   content: ""; position: absolute; inset: 4px; border: 2px solid var(--turnleaf-accent); border-radius: 8px; pointer-events: none;
 }
 :host([hidden]) { display: none; }
-.frame { position: absolute; inset: 0; container: turnleaf / inline-size; }
+.frame { position: absolute; inset: 0; container: turnleaf / size; }
 .room {
   width: max(20rem, var(--width, 0px)); padding-top: min(100% / var(--ratio, 1.2), 90vh); visibility: hidden; pointer-events: none;
 }
 :host([controls]) .room { padding-bottom: 100px; }
 [part="stage"] { position: absolute; inset: 0; overflow: hidden; color-scheme: light; }
 :host([controls]) [part="stage"] { inset-block: 48px 52px; }
+/* Where fingers turn pages and the bars would take a fifth of the height, as on phones that lie, they lie over the book. */
+@media (hover: none) {
+  @container turnleaf (max-height: 499px) { :host([controls]) [part="stage"] { inset-block: 0; } }
+}
 [part="canvas"] { position: absolute; inset: 0; width: 100%; height: 100%; display: block; }
 [part="message"] {
   position: absolute; inset: 0; margin: auto; width: min(20rem, 70%); aspect-ratio: 2 / 3; max-height: 84%;
@@ -190,7 +194,6 @@ ${night(':host([theme="night"])')}
 [part="message"][hidden] { display: none; }
 @media print {
   :host(:is([controls], [theme])) { background: none; }
-  .frame { container-type: size; }
   :host([controls]) .room { padding-bottom: 0; }
   /* As on the screen, with all that lies over it, and as large as fits; the quotient of two lengths is a tangent. */
   .frame > [part="stage"][part] {

@@ -14,8 +14,8 @@ export const typographyAttributes = [
   "word-spacing",
 ] as const;
 
-/** What a reader chooses of how text is set; the width is that of the page as it is shown. */
-export type ChosenTypography = Omit<Typography, "width">;
+/** What a reader chooses of how text is set; the size is that of the page as it is shown. */
+export type ChosenTypography = Omit<Typography, "width" | "height">;
 
 /** Returns what the attributes say; an invalid value counts as missing. */
 export function typographyOf(element: Element): ChosenTypography {

@@ -1,4 +1,4 @@
-/** Archives of RAR, 7-Zip and tar whose files are stored as they are: no free program writes RAR. */
+/** Archives of RAR, 7-Zip, tar and XZ whose files are stored as they are: no free program writes RAR. */
 
 /** Files of an archive by their paths, in order. */
 export type StoredFiles = Readonly<Record<string, Uint8Array | string>>;
@@ -128,6 +128,44 @@ export function sevenZip(files: StoredFiles, lies: StoredLies = {}): Uint8Array<
   const start = Uint8Array.from([...place, ...lowBytes(crc32(head), 4)]);
   const mark = [0x37, 0x7a, 0xbc, 0xaf, 0x27, 0x1c, 0, 4];
   return join([mark, lowBytes(crc32(start), 4), start, data, head]);
+}
+
+/**
+ * Returns bytes as XZ has those that it does not pack: in chunks as they are.
+ *
+ * @param dictionary what it asks to keep of them, as its header says it: 40 is 4 GB
+ */
+export function xz(bytes: Uint8Array, dictionary = 0): Uint8Array<ArrayBuffer> {
+  const withSum = (part: readonly number[]): number[] => [
+    ...part,
+    ...lowBytes(crc32(Uint8Array.from(part)), 4),
+  ];
+  const padded = (part: readonly number[]): number[] => [
+    ...part,
+    ...new Array<number>(-part.length & 3).fill(0),
+  ];
+  /** Returns a number in groups of seven bits, the lowest first. */
+  const number = (value: number): number[] =>
+    value < 128 ? [value] : [(value & 127) | 128, ...number(Math.floor(value / 128))];
+  const most = 1 << 16;
+  const chunks: (Uint8Array | number[])[] = [];
+  for (let at = 0; at < bytes.length; at += most) {
+    const part = bytes.subarray(at, at + most);
+    // The first chunk begins a dictionary.
+    chunks.push([at === 0 ? 1 : 2, ...lowBytes(part.length - 1, 2).reverse()], part);
+  }
+  const data = join([...chunks, [0]]);
+  // Sums are CRC-32; the one filter of the block is LZMA2.
+  const flags = [0, 1];
+  const head = withSum([2, 0, 0x21, 1, dictionary, 0, 0, 0]);
+  const length = head.length + data.length + 4;
+  const index = withSum(padded([0, 1, ...number(length), ...number(bytes.length)]));
+  return join([
+    ...[[0xfd, 0x37, 0x7a, 0x58, 0x5a, 0], withSum(flags)],
+    ...[head, data, new Uint8Array(-data.length & 3), lowBytes(crc32(bytes), 4), index],
+    lowBytes(crc32(Uint8Array.from([...lowBytes(index.length / 4 - 1, 4), ...flags])), 4),
+    ...[lowBytes(index.length / 4 - 1, 4), flags, utf8("YZ")],
+  ]);
 }
 
 /** How a tar writes paths of more than 100 bytes. */

@@ -19,12 +19,13 @@ export type OpenedKind =
   | "tar"
   | "gzip"
   | "zstd"
+  | "xz"
   | "image"
   | "json"
   | "text";
 
 /** The kind of a file, as far as its first bytes show. */
-export type Kind = OpenedKind | "html" | "palmdoc" | "xz" | "bzip2" | "zeros" | "unknown";
+export type Kind = OpenedKind | "html" | "palmdoc" | "bzip2" | "zeros" | "unknown";
 
 /** What is known of a file before it is read whole. */
 export interface FileStart {
@@ -201,7 +202,7 @@ export const formats: readonly FileFormat[] = [
     kind: "xz",
     type: "application/x-xz",
     is: at(0, "\xfd7zXZ\0"),
-    reason: "is packed by XZ, which is not unpacked here",
+    most: limits.archiveBytes,
   },
   {
     kind: "bzip2",

@@ -5,7 +5,7 @@ import { listImages } from "./formats.ts";
 import { claimedSize, kindOfFile, sizeFromHeader, typedImage } from "./image_header.ts";
 import { fitPixels, isPageSize, limits, wholePage } from "./limits.ts";
 import { loadPart } from "./load_part.ts";
-import type { ImageBook, ImagePage, StoredImage } from "./manifest.ts";
+import type { ImageBook, ImagePage, StoredImage, StripPage } from "./manifest.ts";
 import {
   BookError,
   type BookWarning,
@@ -21,7 +21,7 @@ import { SharedTasks } from "./shared_tasks.ts";
 import { showableImage } from "./showable_image.ts";
 import { shownImage } from "./shown_image.ts";
 import { withStrips } from "./strip_pages.ts";
-import type { Cut, StripPage } from "./strips.ts";
+import type { Strip } from "./strips.ts";
 import { lostLines, WarningList } from "./warnings.ts";
 
 /** Encoded images kept, so that drawing a page sharper does not fetch it again. */
@@ -46,8 +46,6 @@ export class ImageSource implements PageSource {
   readonly #measured = new Set<number>();
   readonly #images = new Map<ImagePage["src"], Blob>();
   readonly #fetching = new SharedTasks<ImagePage["src"], Blob>();
-  /** Where strips are cut. */
-  readonly #cuts = new Map<ImagePage["src"], readonly Cut[]>();
   readonly #warnings = new WarningList();
   #closed = false;
 
@@ -108,7 +106,7 @@ export class ImageSource implements PageSource {
     const pixels = fitPixels(part, isSvg(image) ? width : Math.min(width, part.width));
     const whole = region === wholePage && own === wholePage && !isSvg(image);
     const picture = strip
-      ? await this.#drawStrip(index, image, strip, { size, part, pixels })
+      ? await this.#drawStrip(index, image, strip, part, pixels, signal)
       : await this.#decode(index, image, whole ? null : part, pixels);
     if (!signal.aborted && !this.#closed) return picture;
     picture.close();
@@ -202,36 +200,48 @@ export class ImageSource implements PageSource {
     }
   }
 
-  /** Draws a page of a strip. */
+  /** Draws a page of a strip, which is one image or lies in several. */
   async #drawStrip(
     index: number,
     image: Blob,
-    strip: StripPage,
-    { size, part, pixels }: { size: PageSize; part: PageBox; pixels: PageSize },
+    page: StripPage,
+    part: PageBox,
+    pixels: PageSize,
+    signal: AbortSignal,
   ): Promise<ImageBitmap> {
-    const src = this.#book.pages[index]?.src ?? image;
+    const { drawStripPage, joinedStrip } = await loadPart(import("./strips.ts"));
+    let place = this.#place(index);
     try {
-      const { cutsOf, drawStripPage } = await loadPart(import("./strips.ts"));
-      const whole = await bitmapOf(image);
-      const cuts = this.#cuts.get(src) ?? cutsOf(whole, strip);
-      this.#cuts.set(src, cuts);
-      const ends = [cuts[strip.index], cuts[strip.index + 1]] as [Cut, Cut];
-      return await drawStripPage(whole, ends, size, part, pixels).finally(() => whole.close());
+      let strip: Strip;
+      if (page.slices) {
+        strip = joinedStrip(page.slices, async ({ src }) => {
+          place = this.#place(index, src);
+          return await bitmapOf(await this.#image(index, signal, src));
+        });
+      } else {
+        const whole = await bitmapOf(image);
+        strip = { size: whole, rows: async () => ({ image: whole, first: 0 }) };
+      }
+      return await drawStripPage(strip, page, part, pixels);
     } catch (error) {
-      throw error instanceof BookError ? error : this.#undecodable(index, image);
+      if (error instanceof BookError || signal.aborted) throw error;
+      throw this.#undecodable(index, image, place);
     }
   }
 
-  async #image(index: number, signal?: AbortSignal): Promise<Blob> {
+  /** @param src the image, if it is not the page's own */
+  async #image(
+    index: number,
+    signal?: AbortSignal,
+    src: ImagePage["src"] | undefined = this.#book.pages[index]?.src,
+  ): Promise<Blob> {
     signal?.throwIfAborted();
-    const page = this.#book.pages[index];
-    if (this.#closed || !page) {
+    if (this.#closed || src === undefined) {
       throw new BookError(`${this.#book.name} has no page ${index + 1} any more; open it again.`, {
         code: "noPage",
         source: this.#book.name,
       });
     }
-    const { src } = page;
     const image =
       this.#images.get(src) ??
       (src instanceof Blob
@@ -253,8 +263,8 @@ export class ImageSource implements PageSource {
   }
 
   async #fetch(index: number, src: string | StoredImage, signal: AbortSignal): Promise<Blob> {
-    if (typeof src !== "string") return await this.#showable(index, await src.read());
-    const place = this.#place(index);
+    if (typeof src !== "string") return await this.#showable(index, src, await src.read());
+    const place = this.#place(index, src);
     const response = await fetchChecked(
       src,
       place,
@@ -269,12 +279,12 @@ export class ImageSource implements PageSource {
         source: this.#book.name,
       });
     const type = response.headers.get("content-type") ?? "";
-    return await this.#showable(index, new Blob([bytes], { type }));
+    return await this.#showable(index, src, new Blob([bytes], { type }));
   }
 
   async #read(index: number, image: Blob): Promise<Blob> {
     try {
-      return await this.#showable(index, image);
+      return await this.#showable(index, image, image);
     } catch (error) {
       if (error instanceof BookError) throw error;
       throw new BookError(`${this.#place(index)} cannot be read any more; choose the file again.`, {
@@ -285,11 +295,11 @@ export class ImageSource implements PageSource {
     }
   }
 
-  async #showable(index: number, image: Blob): Promise<Blob> {
+  async #showable(index: number, src: ImagePage["src"], image: Blob): Promise<Blob> {
     const about = { page: index + 1, source: this.#book.name };
     const typed = await typedImage(image);
     if (typed.type === "image/tiff") await this.#checkOnePage(index, typed);
-    return await showableImage(typed, this.#place(index), about);
+    return await showableImage(typed, this.#place(index, src), about);
   }
 
   /** Lists a TIFF of several pages, of which one is shown, as its book has one for it. */
@@ -308,8 +318,7 @@ export class ImageSource implements PageSource {
     });
   }
 
-  #undecodable(index: number, image: Blob): BookError {
-    const place = this.#place(index);
+  #undecodable(index: number, image: Blob, place = this.#place(index)): BookError {
     return new BookError(
       isSvg(image)
         ? `${place} is damaged, or this page's Content-Security-Policy lacks data: in img-src, by which an SVG is drawn.`
@@ -319,8 +328,7 @@ export class ImageSource implements PageSource {
   }
 
   /** "Page 3 of atlas.json (003.jpg)". */
-  #place(index: number): string {
-    const src = this.#book.pages[index]?.src;
+  #place(index: number, src = this.#book.pages[index]?.src): string {
     const file = nameOf(src);
     if (this.pageCount === 1 && file === this.#book.name) return file;
     const suffix = file === "this book" ? "" : ` (${file})`;

@@ -20,7 +20,6 @@ import type {
   PageSource,
   TextRun,
 } from "./page_source.ts";
-import type { StripPage } from "./strips.ts";
 
 /** An image that is read when it is needed, as from an archive. */
 export interface StoredImage {
@@ -48,6 +47,24 @@ export interface ImagePage {
   /** Text and links; their boxes in the unit of `size`, or in the image's own pixels. */
   readonly text?: readonly TextRun[];
   readonly links?: readonly PageLink[];
+}
+
+/** A page of a strip. */
+export interface StripPage {
+  /** Which of the strip's pages it is, from 0, and how many there are. */
+  readonly index: number;
+  readonly count: number;
+  /** Its height over its width. */
+  readonly ratio: number;
+  /** The strip from its top to its bottom, where it is several images of one width. */
+  readonly slices?: readonly StripSlice[];
+}
+
+/** An image that is a part of a strip. */
+export interface StripSlice {
+  readonly src: ImagePage["src"];
+  /** Its size in pixels. */
+  readonly size: PageSize;
 }
 
 /** A book made of images, checked and with every URL resolved. */

@@ -66,7 +66,8 @@ const packed: FormatReader = {
   async open(file, whole, options) {
     const { blob } = await whole();
     const { unpackedFile } = await loadPart(import("./archive/packed_file.ts"));
-    const inner = await fileIn(await unpackedFile(blob, sniff(file), file.name), file.name);
+    const unpacked = await unpackedFile(blob, sniff(file), file.name, options.signal);
+    const inner = await fileIn(unpacked, file.name);
     if (readerOf(sniff(inner)) !== packed) return await openFile(inner, options);
     throw new BookError(`${file.name} is packed several times over; unpack it first.`, {
       code: "unsupported",
@@ -133,6 +134,7 @@ const readers: Readonly<Record<OpenedKind, FormatReader>> = {
   "7z": unpacked,
   gzip: packed,
   zstd: packed,
+  xz: packed,
   epub: {
     prepare: () => Promise.all([import("./archive/zip.ts"), import("./epub/epub.ts")]),
     async openArchive(archive, file, name, typography) {

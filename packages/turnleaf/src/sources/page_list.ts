@@ -177,6 +177,14 @@ export class PageList implements PageSource {
     return this.first.mayFace?.(width, alone) ?? true;
   }
 
+  get leaf(): PageSize | undefined {
+    return this.first.leaf;
+  }
+
+  get usualLeaf(): PageSize | undefined {
+    return this.first.usualLeaf;
+  }
+
   get titleDirection(): PageSource["titleDirection"] {
     return this.first.titleDirection;
   }

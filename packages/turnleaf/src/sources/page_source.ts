@@ -188,6 +188,8 @@ export interface Typography {
    * 0 if that is unknown.
    */
   readonly width: number;
+  /** How high it is shown then. The default, 0, is in a paperback's proportions. */
+  readonly height?: number;
 }
 
 export type { PageColours };
@@ -264,6 +266,13 @@ export interface PageSource {
    * @param alone width of a page that is shown alone, likewise
    */
   mayFace?(width: number, alone: number): boolean;
+  /**
+   * The size of the book's leaves, in the unit of `size`, if all pages are set for a leaf of one size. It
+   * changes only as `pageCount` does. The default is the size of an inner page.
+   */
+  readonly leaf?: PageSize | undefined;
+  /** What `leaf` is where no place asks for another. The default is the size of the leaves as they are. */
+  readonly usualLeaf?: PageSize | undefined;
   /** What the book's owner wants to be shown of it: rights, a required statement. */
   readonly details?: readonly BookDetail[];
   /**

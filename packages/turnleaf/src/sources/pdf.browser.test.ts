@@ -59,6 +59,16 @@ describe("a PDF", () => {
     expect(source.label(0)).toBe("1");
   });
 
+  it.each([
+    ["a start of 0", "0 << /S /r >> 2 << /S /D /St 0 >>"],
+    ["an unknown style", "0 << /S /r >> 2 << /S /X >>"],
+    ["a number in place of a dictionary", "0 << /S /r >> 2 5"],
+  ])("is numbered from 1 where one of its labels has %s", async (_, labels) => {
+    const catalog = `/PageLabels << /Nums [${labels}] >>`;
+    const source = await openTiny({ pages: [red, red, red], catalog });
+    expect([0, 1, 2].map((index) => source.label(index))).toEqual(["1", "2", "3"]);
+  });
+
   it.each([1, 700, 1019, 1020, 1024])("opens with %d bytes before its mark", async (count) => {
     const before = new Uint8Array(count).fill(0x20);
     const bytes = tinyPdf({ pages: [red, red] });

@@ -1,6 +1,7 @@
 /** Strips: images many times as tall as wide, as of comics that are scrolled, cut into pages. */
 
 import { cropImage } from "./crop_image.ts";
+import type { StripPage, StripSlice } from "./manifest.ts";
 import type { PageBox, PageSize } from "./page_source.ts";
 
 /**
@@ -15,17 +16,15 @@ const noise = 12;
 /** The paper where a strip is cut through a picture. */
 const paper = "#fff";
 
-/** A page of a strip. */
-export interface StripPage {
-  /** Which of the strip's pages it is, from 0, and how many there are. */
-  readonly index: number;
-  readonly count: number;
-  /** Its height over its width. */
-  readonly ratio: number;
+/** A strip in its pixels, whose rows are decoded as they are needed. */
+export interface Strip {
+  readonly size: PageSize;
+  /** Returns an image that has the rows from `top` to before `bottom`, and the row that its first one is. */
+  rows(top: number, bottom: number): Promise<{ image: ImageBitmap; first: number }>;
 }
 
 /** A cut through a strip. */
-export interface Cut {
+interface Cut {
   /** Where it is, in pixels from the top. */
   readonly y: number;
   /** The colour of the strip there, if it is one; white if it is several. */
@@ -48,27 +47,84 @@ export function pagesOfStrip(size: PageSize, ratio: number): StripPage[] {
   return Array.from({ length: count }, (_, index) => ({ index, count, ratio }));
 }
 
-/** Returns where a strip is cut, with its top and its bottom: where it is of one colour, if that is near. */
-export function cutsOf(strip: ImageBitmap, { count, ratio }: StripPage): Cut[] {
-  const { width, height } = strip;
-  const reach = Math.floor(mostMoved * width * ratio);
-  const pen = new OffscreenCanvas(width, 2 * reach + 1).getContext("2d", {
-    willReadFrequently: true,
-  });
+/**
+ * Returns the strip that lies in several images.
+ *
+ * @param decode returns a slice's pixels, which are closed here
+ */
+export function joinedStrip(
+  slices: readonly StripSlice[],
+  decode: (slice: StripSlice) => Promise<ImageBitmap>,
+): Strip {
+  const width = slices[0]?.size.width ?? 0;
+  return {
+    size: sizeOfSlices(slices),
+    async rows(top, bottom) {
+      const canvas = new OffscreenCanvas(width, bottom - top);
+      const pen = canvas.getContext("2d");
+      if (!pen) throw new Error("out of memory");
+      let y = 0;
+      for (const slice of slices) {
+        const { height } = slice.size;
+        if (y < bottom && y + height > top) {
+          const image = await decode(slice);
+          pen.drawImage(image, 0, y - top, width, height);
+          image.close();
+        }
+        y += height;
+      }
+      return { image: canvas.transferToImageBitmap(), first: top };
+    },
+  };
+}
+
+/** Returns the size of the strip that lies in several images of one width. */
+export function sizeOfSlices(slices: readonly StripSlice[]): PageSize {
+  const height = slices.reduce((sum, { size }) => sum + size.height, 0);
+  return { width: slices[0]?.size.width ?? 0, height };
+}
+
+/** Returns how far a cut may move, in pixels of a strip. */
+function reachOf(width: number, ratio: number): number {
+  return Math.floor(mostMoved * width * ratio);
+}
+
+/** Returns where a strip is cut between its pages k - 1 and k, its ends among them, before the cut is moved. */
+export function placeOf({ height }: PageSize, { count }: StripPage, k: number): number {
+  return Math.round((height * k) / count);
+}
+
+/** Returns the rows in which a page lies, with those in which it may be cut. */
+function rowsOfPage(size: PageSize, page: StripPage): { top: number; bottom: number } {
+  const reach = reachOf(size.width, page.ratio);
+  return {
+    top: Math.max(placeOf(size, page, page.index) - reach, 0),
+    bottom: Math.min(placeOf(size, page, page.index + 1) + reach + 1, size.height),
+  };
+}
+
+/**
+ * Returns a cut: where the strip is of one colour, if that is near; or an end of the strip.
+ *
+ * @param image an image that has the rows in which the cut may lie
+ * @param start the strip's row that is the image's first
+ */
+function cutOf(image: ImageBitmap, start: number, size: PageSize, page: StripPage, k: number): Cut {
+  const place = placeOf(size, page, k);
+  const isEnd = k === 0 || k === page.count;
+  const reach = isEnd ? 0 : reachOf(size.width, page.ratio);
+  const first = Math.max(Math.min(place, size.height - 1) - reach, 0);
+  const rows = Math.min(2 * reach + 1, size.height - first);
+  const { width } = image;
+  const pen = new OffscreenCanvas(width, rows).getContext("2d", { willReadFrequently: true });
   if (!pen) throw new Error("out of memory");
-  return Array.from({ length: count + 1 }, (_, k) => {
-    const place = Math.round((height * k) / count);
-    const isEnd = k === 0 || k === count;
-    const first = Math.max(isEnd ? Math.min(place, height - 1) : place - reach, 0);
-    const rows = isEnd ? 1 : Math.min(2 * reach + 1, height - first);
-    pen.drawImage(strip, 0, first, width, rows, 0, 0, width, rows);
-    const colours = coloursOf(pen.getImageData(0, 0, width, rows));
-    if (isEnd) return { y: place, colour: colours[0] ?? paper };
-    const row = middleOfNearest(colours, place - first);
-    return row === null
-      ? { y: place, colour: paper }
-      : { y: first + row, colour: colours[row] ?? paper };
-  });
+  pen.drawImage(image, 0, first - start, width, rows, 0, 0, width, rows);
+  const colours = coloursOf(pen.getImageData(0, 0, width, rows));
+  if (isEnd) return { y: place, colour: colours[0] ?? paper };
+  const row = middleOfNearest(colours, place - first);
+  return row === null
+    ? { y: place, colour: paper }
+    : { y: first + row, colour: colours[row] ?? paper };
 }
 
 /** Returns the colour of each row of an image; null for one that has several. */
@@ -102,14 +158,33 @@ function middleOfNearest(colours: readonly (string | null)[], to: number): numbe
 /**
  * Draws a part of a page of a strip, with what lies between two cuts in its middle, as wide as the page.
  *
- * @param page the page's size in the strip's pixels
- * @param part the part of the page that is drawn, in the same
+ * @param part the part of the page that is drawn, in the strip's pixels
  * @param pixels how large it is drawn
  */
 export async function drawStripPage(
-  strip: ImageBitmap,
+  strip: Strip,
+  page: StripPage,
+  part: PageBox,
+  pixels: PageSize,
+): Promise<ImageBitmap> {
+  const { top: from, bottom: to } = rowsOfPage(strip.size, page);
+  const { image, first } = await strip.rows(from, to);
+  try {
+    const [top, bottom] = [page.index, page.index + 1].map((k) =>
+      cutOf(image, first, strip.size, page, k),
+    ) as [Cut, Cut];
+    return await drawBetween(image, first, [top, bottom], page, part, pixels);
+  } finally {
+    image.close();
+  }
+}
+
+/** As `drawStripPage`, of an image that has the rows between the cuts, which begins at the strip's row `first`. */
+async function drawBetween(
+  image: ImageBitmap,
+  first: number,
   [top, bottom]: readonly [Cut, Cut],
-  page: PageSize,
+  { ratio }: StripPage,
   part: PageBox,
   pixels: PageSize,
 ): Promise<ImageBitmap> {
@@ -117,8 +192,9 @@ export async function drawStripPage(
   const pen = canvas.getContext("2d");
   if (!pen) throw new Error("out of memory");
   const scale = pixels.height / part.height;
-  const above = (page.height - (bottom.y - top.y)) / 2;
-  const middle = Math.round((page.height / 2 - part.y) * scale);
+  const height = image.width * ratio;
+  const above = (height - (bottom.y - top.y)) / 2;
+  const middle = Math.round((height / 2 - part.y) * scale);
   pen.fillStyle = top.colour;
   pen.fillRect(0, 0, pixels.width, middle);
   pen.fillStyle = bottom.colour;
@@ -129,9 +205,9 @@ export async function drawStripPage(
   ];
   if (to > from) {
     const y = Math.round((from - top.y + above - part.y) * scale);
-    const height = Math.max(Math.round((to - from) * scale), 1);
-    const box = { x: part.x, y: from, width: part.width, height: to - from };
-    const piece = await cropImage(strip, box, { width: pixels.width, height });
+    const rows = Math.max(Math.round((to - from) * scale), 1);
+    const box = { x: part.x, y: from - first, width: part.width, height: to - from };
+    const piece = await cropImage(image, box, { width: pixels.width, height: rows });
     pen.drawImage(piece, 0, y);
     piece.close();
   }

@@ -23,20 +23,54 @@ export interface PageFrame {
 }
 
 /**
- * Returns about how wide a page of a book of usual thickness is seen from above, in the unit of `place`:
- * before the book is bound, whose own size the stage knows.
+ * Returns about how wide a page of a book of usual thickness is seen from above, in the unit of `place`,
+ * and whether it could be wider if the place were higher: before the book is bound, whose own size the
+ * stage knows.
  */
-function pageWidthIn(
+function pageIn(
   place: PageSize,
   layout: Layout,
   { aspect, quarterTurned, cover, margin }: PageFrame,
-): number {
+): { readonly width: number; readonly isHigh: boolean } {
   const [width, height] = [paperSize * Math.sqrt(aspect), paperSize / Math.sqrt(aspect)];
   const rim = cover === "hard" ? caseSizes.rim : 0;
   const [across, along] = quarterTurned ? [height, width] : [width, height];
   const [room, length] = quarterTurned ? [place.height, place.width] : [place.width, place.height];
   const book = layout === "spread" ? 2 * (across + rim) + usualThickness : across + rim;
-  return (1 - 2 * margin) * width * Math.min(room / book, length / (along + 2 * rim));
+  const [fromSpine, alongSpine] = [room / book, length / (along + 2 * rim)];
+  const isHigh = quarterTurned ? fromSpine < alongSpine : alongSpine < fromSpine;
+  return { width: (1 - 2 * margin) * width * Math.min(fromSpine, alongSpine), isHigh };
+}
+
+/** Halvings that find proportions to a ten thousandth. */
+const halvings = 16;
+
+/**
+ * Returns the proportions, width over height, of a page that is to be as wide as it has to: the least
+ * from `frame.aspect` on with which it is, and those with which it fills the place if it is not with any.
+ *
+ * @param wanted width of the page, in the unit of `place`
+ * @param most proportions that a page may have
+ */
+export function aspectIn(
+  place: PageSize,
+  layout: Layout,
+  frame: PageFrame,
+  wanted: number,
+  most: number,
+): number {
+  const isEnough = (aspect: number): boolean => {
+    const { width, isHigh } = pageIn(place, layout, { ...frame, aspect });
+    return width >= wanted || !isHigh;
+  };
+  if (isEnough(frame.aspect)) return frame.aspect;
+  let [less, enough] = [frame.aspect, most];
+  for (let k = 0; k < halvings; k++) {
+    const middle = (less + enough) / 2;
+    if (isEnough(middle)) enough = middle;
+    else less = middle;
+  }
+  return enough;
 }
 
 /**
@@ -52,7 +86,7 @@ export function layoutIn(
   frame: PageFrame,
   mayFace: (width: number, alone: number) => boolean,
 ): { readonly layout: Layout; readonly width: number } {
-  const wide = (layout: Layout): number => pageWidthIn(place, layout, frame);
+  const wide = (layout: Layout): number => pageIn(place, layout, frame).width;
   const { width, height } = place;
   const { aspect, quarterTurned } = frame;
   const mayBoth = mayFace(wide("spread"), wide("single"));

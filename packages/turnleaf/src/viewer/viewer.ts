@@ -209,14 +209,19 @@ export class Viewer {
 
   /** Width over height of a place that two pages fill. */
   get placeRatio(): number {
-    const { width, height, quarterTurned } = this.#bound.shape;
-    return quarterTurned ? height / (2 * width) : (2 * width) / height;
+    const { width, height } = this.#usualLeaf;
+    return this.#bound.shape.quarterTurned ? width / (2 * height) : (2 * width) / height;
   }
 
   /** Width of that place in CSS pixels where a page is as large as its source says, whose unit counts as one. */
   get placeWidth(): number {
-    const { width } = this.#book.leaf;
+    const { width } = this.#usualLeaf;
     return this.#bound.shape.quarterTurned ? width : 2 * width;
+  }
+
+  /** What a place is sized for does not follow from the place. */
+  get #usualLeaf(): PageSize {
+    return this.#source.usualLeaf ?? this.#book.leaf;
   }
 
   /** Where the book lies open and how it gets elsewhere; replaced with every binding. */
@@ -296,7 +301,12 @@ export class Viewer {
    * @param change changes the source and returns where its pages lie now
    */
   changePages(change: () => NewIndex): Promise<boolean> {
-    const changed = this.#rebinder.change(change);
+    const changed = this.#rebinder.change(() => {
+      const moved = change();
+      const { leaf } = this.#source;
+      if (leaf) this.#cutLeaves(leaf);
+      return moved;
+    });
     this.#bindSoon();
     return changed;
   }
@@ -309,10 +319,17 @@ export class Viewer {
   async measure(signal: AbortSignal): Promise<() => NewIndex> {
     const leaf = await leafSize(this.#source, signal);
     return () => {
-      Object.assign(this.#book, { leaf, aspect: leaf.width / leaf.height });
-      this.#bitmaps.measure(leaf);
+      this.#cutLeaves(leaf);
       return (index) => index;
     };
+  }
+
+  /** Gives the leaves a size, in the source's unit, if they have another. */
+  #cutLeaves(leaf: PageSize): void {
+    const before = this.#book.leaf;
+    if (leaf.width === before.width && leaf.height === before.height) return;
+    Object.assign(this.#book, { leaf, aspect: leaf.width / leaf.height });
+    this.#bitmaps.measure(leaf);
   }
 
   /**

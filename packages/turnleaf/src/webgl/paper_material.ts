@@ -161,13 +161,28 @@ vec3 tearAcross(vec3 ink) {
 #endif
 
 #ifdef SHADED
-// The cut edge of what is folded over, or loose, catches light as far as a page may be brighter than its picture.
+// The cut edge of what is folded over, or loose, catches light: as far as a page may be brighter than its picture.
 float paperEdge() {
   #ifndef TORN
   if (vPart < 0.5) return 0.0;
   #endif
   vec2 within = min(vUv, 1.0 - vUv) * size;
-  return 0.03 * (1.0 - smoothstep(0.0, 2.0 * pixel, min(within.x, within.y)));
+  return 1.0 - smoothstep(0.0, 2.0 * pixel, min(within.x, within.y));
+}
+#endif
+
+#ifdef DARK
+// What dark paper gives back is too little to tell a leaf in the air from the page under it: shadows
+// are lost, and the light on a slope. Its surface does, whatever its colour: more of the light the more
+// it slopes, and most of all where it is cut. Flat it has its own colour.
+vec3 glint(vec3 normal) {
+  float slope = 1.0 - normal.z;
+  float facing = max(0.0, dot(normal, KEY_DIRECTION) + WRAP) / (1.0 + WRAP);
+  // As wide however much it slopes.
+  vec2 from = vec2(1.0 - vUv.x, min(vUv.y, 1.0 - vUv.y)) / max(vec2(pixel) / size, fwidth(vUv));
+  float cut = 1.0 - smoothstep(0.5, 1.5, min(from.x, from.y));
+  float sheen = 0.04 * smoothstep(0.0, 0.8, slope) * (0.4 + 0.6 * facing);
+  return (sheen + 0.11 * cut * smoothstep(0.0, 0.03, slope)) * vec3(1.0, 0.965, 0.91);
 }
 #endif
 
@@ -199,13 +214,20 @@ void main() {
   }
   vec3 light = arriving(normal, sky, key);
   if (thin > 0.5) light += throughLeaf(normal, uv);
-  #ifdef SHADED
-  light += paperEdge();
+  #if defined(SHADED) && !defined(DARK)
+  light += 0.03 * paperEdge();
   #endif
   light = min(light, vec3(ceiling));
   vec2 fromLight = (vPlace.xy - vec2(-0.35 * size.x, 0.65 * size.y)) / (1.5 * size);
   light *= 1.0 - pool * smoothstep(0.1, 1.0, length(fromLight));
-  gl_FragColor = vec4(ink * light, 1.0);
+  vec3 colour = ink * light;
+  #ifdef DARK
+  colour += thin * glint(normal);
+  #ifdef SHADED
+  colour += 0.06 * paperEdge();
+  #endif
+  #endif
+  gl_FragColor = vec4(colour, 1.0);
   #include <colorspace_fragment>
   gl_FragColor.rgb = dithered(gl_FragColor.rgb);
 }
@@ -236,10 +258,12 @@ export class PaperMaterial extends ShaderMaterial {
     pixel: { readonly value: number },
   ) {
     const { kind, width, height, quarterTurned, shadows } = shape;
+    const { paper: bare, isDark } = lookOf(shape);
     super({
       defines: {
         ...(quarterTurned ? { QUARTER_TURNED: "" } : {}),
         ...(side.torn ? { TORN: "" } : {}),
+        ...(isDark ? { DARK: "" } : {}),
       },
       vertexShader,
       fragmentShader,
@@ -259,7 +283,7 @@ export class PaperMaterial extends ShaderMaterial {
         ...paperUniforms(),
         pixel,
         size: { value: [width, height] },
-        bare: { value: new Color(lookOf(shape).paper) },
+        bare: { value: new Color(bare) },
         opened: { value: -1 },
       },
     });

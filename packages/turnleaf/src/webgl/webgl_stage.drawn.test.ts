@@ -123,6 +123,25 @@ test("deep among leaves that stand close it is warm and dim, not black", () => {
   expect(green).toBeLessThan(red);
 });
 
+test("at night the edge of a leaf in the air is seen, and its slope; it comes down as dark as its page", () => {
+  const night = "#1c1b1a";
+  const stage = newStage({ theme: "night", kind: "typeset" });
+  stage.resize(600, 400, 1);
+  for (const face of ["left", "right"] as const) stage.setFace(face, plainPicture(night));
+  for (const side of ["recto", "verso"] as const) stage.setLeaf(0, side, plainPicture(night));
+  const at = (angle: number, out: number): number => {
+    const far = out * shape.width;
+    stage.pose({ ...open, leaves: [standingLeaf(angle)] });
+    return colourAt(stage, far * Math.cos(angle), far * Math.sin(angle))[0];
+  };
+  // It was 28 on 28.
+  for (const angle of [1, 2.1]) {
+    expect(at(angle, 0.6)).toBeGreaterThan(36);
+    expect(Math.max(at(angle, 0.992), at(angle, 0.996), at(angle, 0.999))).toBeGreaterThan(60);
+  }
+  for (const angle of [0.01, 3.13]) expect(Math.abs(at(angle, 0.6) - 0x1c)).toBeLessThan(3);
+});
+
 /** Returns a level sheet `out` beside the right page at a height, metres, of a layer of loose sheets. */
 function looseSheet(layer: number, height: number, out = 0): Surface {
   const { positions, ...sheet } = standingLeaf(0);

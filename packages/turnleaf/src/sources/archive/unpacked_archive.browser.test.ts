@@ -1,7 +1,7 @@
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
-import { rar4, rar5, sevenZip } from "../../for_tests/stored_archives.ts";
+import { rar4, rar5, sevenZip, xz } from "../../for_tests/stored_archives.ts";
 import { messageOf } from "../message_of.ts";
-import { openUnpacked, type UnpackedBounds, usualBounds } from "./unpacked_archive.ts";
+import { openUnpacked, type UnpackedBounds, unpackXz, usualBounds } from "./unpacked_archive.ts";
 import { fixture } from "./unpacker/fixtures_for_tests.ts";
 
 const text = (bytes: Uint8Array): string => new TextDecoder().decode(bytes);
@@ -79,6 +79,17 @@ test.each(packers)("an archive of %s beyond the bounds says so", async (_, pack)
     "a in many.cbr is larger than 1 MB when unpacked; make it smaller.",
   );
   expect(text(await archive.read("b"))).toBe("b");
+});
+
+test("a file packed by XZ beyond the bounds says so, and is given up when its signal aborts", async () => {
+  const file = new Blob([xz(new Uint8Array(3_000_000))]);
+  expect((await unpackXz(file, "many.cbt")).size).toBe(3_000_000);
+  const bounds = { ...usualBounds, allBytes: 2 << 20, fileBytes: 1 };
+  expect(await messageOf(unpackXz(file, "many.cbt", undefined, bounds))).toBe(
+    "many.cbt is larger than 2 MB when unpacked; split it and open a part.",
+  );
+  const given = AbortSignal.abort(new Error("given up"));
+  await expect(unpackXz(file, "many.cbt", given)).rejects.toThrow("given up");
 });
 
 test("it is given up when its signal aborts, and its worker ends", async () => {

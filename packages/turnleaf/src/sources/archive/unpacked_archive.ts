@@ -1,7 +1,7 @@
 /**
  * RAR and 7-Zip: archives that are unpacked whole, once and in order, by
  * libarchive in a worker. Most of them are solid: a file is understood only
- * after all those before it.
+ * after all those before it. A file that is packed by XZ is unpacked there too.
  */
 
 import { unpack } from "../../packed.ts";
@@ -17,6 +17,7 @@ import { marksLength, type Obstacle, obstacleIn } from "./archive_marks.ts";
 import { BlobArchive } from "./blob_archive.ts";
 import { cleanPath } from "./names.ts";
 import type { Stop, UnpackingBounds } from "./unpacker/unpack_all.ts";
+import type { Packing } from "./unpacker/unpacker.ts";
 import type { UnpackingTask, WorkerMessage } from "./unpacker/unpacker_worker.ts";
 
 /** Bounds on an archive, and on the milliseconds in which it is unpacked. */
@@ -65,27 +66,47 @@ export async function openUnpacked(
       code: obstacle === "encrypted" ? "locked" : "damaged",
       source: name,
     });
-  const [address, packed] = await Promise.all([
-    loadPart(workerScript()),
-    loadPart(import("./unpacker/unpacker.wasm")),
-  ]);
-  const task = { code: await unpack(packed.default), file, bounds };
-  signal?.throwIfAborted();
-  return new BlobArchive(name, await unpackInWorker(address, task, bounds.time, name, signal));
+  return new BlobArchive(name, await unpackInWorker(file, "archive", name, bounds, signal));
+}
+
+/**
+ * Returns the file that is packed in another by XZ. Rejects with a `BookError`
+ * if it is damaged or beyond the bounds, or with the signal's reason.
+ *
+ * @param name the file's name in sentences
+ */
+export async function unpackXz(
+  file: Blob,
+  name: string,
+  signal?: AbortSignal,
+  bounds: UnpackedBounds = usualBounds,
+): Promise<Blob> {
+  // One file is all that there is.
+  const whole = { ...bounds, fileBytes: bounds.allBytes };
+  const files = await unpackInWorker(file, "xz", name, whole, signal);
+  const [unpacked = new Blob()] = files.values();
+  if (unpacked instanceof Blob) return unpacked;
+  throw unpacked;
 }
 
 /** A file of an archive, or why it is not there. */
 type UnpackedFile = Blob | BookError;
 
 /** Returns the files by their paths. Ends the worker in any case. */
-function unpackInWorker(
-  address: string,
-  task: UnpackingTask,
-  time: number,
+async function unpackInWorker(
+  file: Blob,
+  packing: Packing,
   name: string,
+  { time, ...bounds }: UnpackedBounds,
   signal?: AbortSignal,
 ): Promise<ReadonlyMap<string, UnpackedFile>> {
-  return new Promise((resolve, reject) => {
+  const [address, packed] = await Promise.all([
+    loadPart(workerScript()),
+    loadPart(import("./unpacker/unpacker.wasm")),
+  ]);
+  const task: UnpackingTask = { code: await unpack(packed.default), file, bounds, packing };
+  signal?.throwIfAborted();
+  return await new Promise((resolve, reject) => {
     const files = new Map<string, UnpackedFile>();
     let worker: Worker | undefined;
     let timer: ReturnType<typeof setTimeout> | undefined;
@@ -103,6 +124,8 @@ function unpackInWorker(
       timer = setTimeout(() => fail(error()), milliseconds);
     };
     const abort = (): void => fail(signal?.reason);
+    const whatOf = (path: string): string =>
+      packing === "xz" ? name : `${quoted(path)} in ${name}`;
     const add = (path: string, file: UnpackedFile): void => {
       const clean = cleanPath(path);
       if (clean && !files.has(clean)) files.set(clean, file);
@@ -122,7 +145,7 @@ function unpackInWorker(
           add(message.path, tooLarge(message.path, name, task.bounds.fileBytes));
           break;
         case "damaged":
-          add(message.path, notUnpacked(`${quoted(message.path)} in ${name}`, message.detail));
+          add(message.path, notUnpacked(whatOf(message.path), message.detail));
           break;
         case "failed":
           fail(

@@ -1,6 +1,6 @@
 import { strToU8, type Zippable, zipSync } from "fflate";
 import { expect, test } from "vitest";
-import { rar4, rar5, sevenZip, tar } from "../../for_tests/stored_archives.ts";
+import { rar4, rar5, sevenZip, tar, xz } from "../../for_tests/stored_archives.ts";
 import { fixture } from "../archive/unpacker/fixtures_for_tests.ts";
 import { messageOf } from "../message_of.ts";
 import { openSource } from "../open.ts";
@@ -296,14 +296,16 @@ test("an empty tar is said to be one", async () => {
   );
 });
 
-test.each(["gzip", "zstd"])("a tar that is packed by %s is a comic", async (packing) => {
+const gzipOf = async (part: BlobPart): Promise<Blob> =>
+  await new Response(new Blob([part]).stream().pipeThrough(new CompressionStream("gzip"))).blob();
+
+test.each<[string, (bytes: Uint8Array<ArrayBuffer>) => BlobPart | Promise<BlobPart>]>([
+  ["gzip", gzipOf],
+  ["zstd", zstdOf],
+  ["xz", xz],
+])("a tar that is packed by %s is a comic", async (_, pack) => {
   const bytes = tar({ "1.png": await scan(4, 6), "2.png": await scan(4, 6) });
-  const packed =
-    packing === "zstd"
-      ? zstdOf(bytes)
-      : await new Response(
-          new Blob([bytes]).stream().pipeThrough(new CompressionStream("gzip")),
-        ).blob();
+  const packed = await pack(bytes);
   const source = await openSource(new File([packed], "Hero 1.cbt"));
   expect([source.pageCount, source.title]).toEqual([2, "Hero 1"]);
 });
@@ -313,16 +315,25 @@ test("what is packed otherwise, or damaged, says so", async () => {
   expect(await message(Uint8Array.of(0x1f, 0x8b, 8, 0, 1))).toBe(
     "x.cbt is damaged: it cannot be unpacked; get it again.",
   );
-  const gzip = async (part: BlobPart) =>
-    await new Response(new Blob([part]).stream().pipeThrough(new CompressionStream("gzip"))).blob();
-  expect(await message(await gzip(await gzip("text")))).toBe(
+  expect(await message(await gzipOf(await gzipOf("text")))).toBe(
     "x.cbt is packed several times over; unpack it first.",
   );
-  expect(await message((await gzip("text ".repeat(99))).slice(0, 15))).toBe(
+  expect(await message((await gzipOf("text ".repeat(99))).slice(0, 15))).toBe(
     "x.cbt is damaged: it cannot be unpacked; get it again.",
   );
-  expect(await message(Uint8Array.of(0xfd, 0x37, 0x7a, 0x58, 0x5a, 0, 0, 4))).toMatch(
-    /^x\.cbt is packed by XZ, which is not unpacked here; /,
+  const packed = xz(strToU8("text "));
+  for (const damaged of [packed.slice(0, 10), packed.slice(0, -1), packed.with(28, 0)]) {
+    expect(await message(damaged)).toMatch(
+      /^x\.cbt is damaged \([^)]+\); repair it or get it again\.$/,
+    );
+  }
+  // A dictionary of 4 GB.
+  expect(await message(xz(strToU8("text"), 40))).toMatch(
+    /^x\.cbt needs more memory to unpack than a book may have \(.*\); pack it again as ZIP \(CBZ\)\.$/,
+  );
+  expect(await message(xz(new Uint8Array()))).toBe("x.cbt is empty; get the file again.");
+  expect(await message(await gzipOf(xz(strToU8("text"))))).toBe(
+    "x.cbt is packed several times over; unpack it first.",
   );
   expect(await message("BZh91AY&SY\x01")).toMatch(/^x\.cbt is packed by bzip2, /);
 });

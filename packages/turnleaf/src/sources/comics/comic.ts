@@ -9,7 +9,12 @@ import { limits } from "../limits.ts";
 import { loadPart } from "../load_part.ts";
 import type { ImagePage, StoredImage } from "../manifest.ts";
 import { BookError, type OutlineEntry, type PageSize, type PageSource } from "../page_source.ts";
-import { formatOf, type PageFormat, stripPages } from "../strip_pages.ts";
+import {
+  layOutStrips,
+  type PageFormat,
+  type PagesOfImage,
+  type StripImage,
+} from "../strip_pages.ts";
 import { WarningList, warningOf } from "../warnings.ts";
 import { decodeXml } from "../xml_text.ts";
 import { type ComicInfo, noInfo, readComicInfo } from "./comic_info.ts";
@@ -68,11 +73,15 @@ export async function openComic(archive: Archive, file: Blob, name: string): Pro
       warnings.add(warningOf("contents", path, name));
     });
     const scans = coverFirst(await measureAll(archive, files, info, name));
-    const format = formatOf(scans.map(({ size }) => size));
+    const { format, images } = await layOutStrips(scans.map(stripImageOf));
     const pages: Page[] = [];
-    // What a strip claims to be is not known to be true.
-    for (const scan of scans) {
-      pages.push(...pagesOf(scan, info.direction, format, limits.pages - pages.length));
+    for (const [k, scan] of scans.entries()) {
+      const { pages: strip = null, isOnPageBefore = false } = images[k] ?? {};
+      const own = pagesOf(scan, info.direction, format, strip);
+      const before = isOnPageBefore ? pages.at(-1) : undefined;
+      if (before) before.bookmark ||= scan.bookmark;
+      else if (own[0]) own[0].bookmark = scan.bookmark;
+      pages.push(...own);
     }
     if (pages.length === 0)
       throw new BookError(`${name} marks all its pages as deleted.`, {
@@ -142,11 +151,14 @@ export function inOrder(names: readonly string[]): string[] {
   return paths.map(({ name }) => name);
 }
 
+/** Returns whether a scan's own name says that it is the front cover. */
+function isNamedCover({ path }: Scan): boolean {
+  return coverName.test((path.split("/").pop() ?? "").replace(/\.[^.]*$/, ""));
+}
+
 /** Returns scans with the front cover before all others, if ComicInfo.xml or its own name says that it is one. */
 function coverFirst(scans: readonly Scan[]): readonly Scan[] {
-  const isNamed = ({ path }: Scan): boolean =>
-    coverName.test((path.split("/").pop() ?? "").replace(/\.[^.]*$/, ""));
-  const cover = scans.find(({ isFront }) => isFront) ?? scans.find(isNamed);
+  const cover = scans.find(({ isFront }) => isFront) ?? scans.find(isNamedCover);
   const ordered = cover ? [cover, ...scans.filter((scan) => scan !== cover)] : scans;
   return ordered.map((scan, index) => ({
     ...scan,
@@ -271,34 +283,46 @@ async function claimedBy(image: Blob): Promise<PageSize | null> {
   return (await sizeFromHeader(image)) ?? (await claimedSize(image));
 }
 
+/** Returns a scan as it may be a slice of a strip. */
+function stripImageOf(scan: Scan): StripImage {
+  const { path, image, size } = scan;
+  const folder = path.slice(0, path.lastIndexOf("/") + 1);
+  const isCover = scan.isFront || isNamedCover(scan);
+  return { src: image, size, isPlain: true, folder: isCover ? null : folder };
+}
+
 interface Page {
   readonly page: ImagePage;
   /** What is wrong with it, if anything is: its path. */
   readonly damaged?: string;
-  readonly bookmark: string;
+  bookmark: string;
 }
 
 /**
- * Returns a scan as a page, as two that face each other if it is of a spread, or as those of a strip.
+ * Returns a scan as a page, or as two that face each other if it is of a spread.
  *
- * @param most pages of a strip; one of more is shown whole
+ * @param strip the pages that it is as a strip, in place of these
  */
-function pagesOf(scan: Scan, direction: "ltr" | "rtl", format: PageFormat, most: number): Page[] {
-  const { image: src, size, bookmark } = scan;
+function pagesOf(
+  scan: Scan,
+  direction: "ltr" | "rtl",
+  format: PageFormat,
+  strip: PagesOfImage["pages"],
+): Page[] {
+  const { image: src, size } = scan;
   const ratio = size ? size.width / size.height / format.ratio : 1;
   const damaged = scan.isDamaged ? { damaged: scan.path } : {};
-  const strip = stripPages(src, size, format, most);
-  if (strip) return strip.map((page, k) => ({ page, bookmark: k === 0 ? bookmark : "" }));
+  if (strip) return strip.map((page) => ({ page, bookmark: "" }));
   const looksDouble = !format.isScrolled && ratio > leastDouble && ratio < mostDouble;
   const isDouble = scan.double === null ? looksDouble : scan.double && ratio > 1;
   if (!isDouble || scan.isCover) {
-    return [{ page: { src, ...(size ? { size } : {}) }, bookmark, ...damaged }];
+    return [{ page: { src, ...(size ? { size } : {}) }, bookmark: "", ...damaged }];
   }
   const half = size ? { size: { width: size.width / 2, height: size.height } } : {};
   const [first, second] = direction === "rtl" ? [0.5, 0] : [0, 0.5];
   const part = (x: number) => ({ x, y: 0, width: 0.5, height: 1 });
   return [
-    { page: { src, ...half, part: part(first), inSpread: "first" }, bookmark },
+    { page: { src, ...half, part: part(first), inSpread: "first" }, bookmark: "" },
     { page: { src, ...half, part: part(second), inSpread: "second" }, bookmark: "" },
   ];
 }

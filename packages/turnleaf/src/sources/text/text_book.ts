@@ -35,7 +35,7 @@ const longestPart = 60_000;
 const piece = new RegExp(`[\\s\\S]{1,${longestPart}}(?=\\s|$)|[\\s\\S]{1,${longestPart}}`, "g");
 
 const style = `
-p { margin: 0; text-indent: 1.4em; text-align: justify; }
+p { margin: 0; text-indent: 1.4em; }
 p:first-child, h1 + p, h2 + p, h3 + p, hr + p, pre + p, ul + p, ol + p, .lines { text-indent: 0; }
 .lines { white-space: pre-wrap; text-align: start; margin: 0.7em 0; }
 pre, code { font-family: monospace; font-size: 0.85em; }

@@ -2,21 +2,19 @@ import { unknownFailure } from "../failures.ts";
 import type { Typography } from "../page_source.ts";
 import { SharedTasks } from "../shared_tasks.ts";
 import { divide } from "./divide.ts";
-import type { FlowBook } from "./flow_book.ts";
+import { type FlowBook, isAllText } from "./flow_book.ts";
 import type { FlowWarnings } from "./flow_warnings.ts";
 import { LaidChapter } from "./laid_chapter.ts";
 import { LaidSection, type SectionMap } from "./laid_section.ts";
-import {
-  estimatePages,
-  type LaidSample,
-  linesIn,
-  middleSection,
-  type SectionLengths,
-} from "./page_estimate.ts";
+import { estimatePages, type LaidSample, linesIn, type SectionLengths } from "./page_estimate.ts";
 import type { SectionContents } from "./section_contents.ts";
 
 /** Frames kept, so that neighbouring pages are drawn without laying out again. */
 const keptFrames = 4;
+
+/** Pages that are laid out before the first estimate, and in how many pieces at most: about as much as one long chapter. */
+const sampledPages = 20;
+const mostSamples = 7;
 
 /** Editions so far, of all books. */
 let made = 0;
@@ -36,7 +34,7 @@ export class Edition {
   #last: Promise<unknown> = Promise.resolve();
   #isClosed = false;
   readonly #number = made++;
-  #sample: LaidSample | null = null;
+  readonly #samples = new Map<number, LaidSample>();
   /** Whether every section has been laid out once, or cannot be. */
   isCounted = false;
 
@@ -55,9 +53,14 @@ export class Edition {
     this.#contents = contents;
     this.#warnings = warnings;
     this.#lengths = lengths;
-    // A roll is as wide as its window, which is not known here: it is set as a paperback.
     const isRolled = book.sections.some(({ roll }) => roll !== undefined);
-    this.typography = isRolled ? { ...typography, width: 0 } : typography;
+    this.typography = {
+      ...typography,
+      // A roll is as wide as its window, which is not known here: it is set as a paperback.
+      ...(isRolled && { width: 0 }),
+      // Pages of fixed layout have a shape of their own.
+      ...(!isAllText(book) && { height: 0 }),
+    };
   }
 
   /** Returns what is known of a section; undefined before it has been laid out. */
@@ -74,21 +77,33 @@ export class Edition {
   counts(): number[] {
     const { sections } = this.#book;
     const known = sections.map((_, section) => this.#maps.get(section));
-    return estimatePages(sections, this.#lengths.lines(), known, this.typography, this.#sample);
+    return estimatePages(sections, this.#lengths, known, this.typography, this.#samples);
   }
 
-  /** Lays out a piece of the text, from which the numbers of pages can be estimated. Rejects as `lay` does. */
+  /**
+   * Lays out pieces of the text here and there, from which the numbers of pages can be estimated.
+   * What cannot be laid out is left out.
+   */
   async sample(): Promise<void> {
-    const { sections } = this.#book;
-    const section = middleSection(sections, this.#lengths.lines());
-    if (section === undefined || this.#maps.has(section)) return;
+    let extent = 0;
+    for (const section of this.#lengths.spread.slice(0, mostSamples)) {
+      if (this.#isClosed || extent >= sampledPages) return;
+      const sample = await this.#sampleOf(section).catch(() => null);
+      if (sample === null) continue;
+      this.#samples.set(section, sample);
+      extent += sample.extent;
+    }
+  }
+
+  /** Lays out the middle of a section. */
+  async #sampleOf(section: number): Promise<LaidSample> {
     const content = await this.#contents.load(section, false);
-    const isScrolled = sections[section]?.roll !== undefined;
+    const isScrolled = this.#book.sections[section]?.roll !== undefined;
     const pieces = isScrolled ? [content.root] : divide(content.root);
     const root = pieces[pieces.length >> 1] as Element;
     const laid = await LaidSection.lay({ ...content, root }, this.typography, isScrolled);
-    this.#sample = { lines: linesIn(root.outerHTML), extent: laid.map.extent };
     laid.close();
+    return { lines: linesIn(root.outerHTML), extent: laid.map.extent };
   }
 
   /** Returns a section in its frame. Rejects with a `BookError`, or with the signal's reason. */

@@ -139,3 +139,11 @@ export interface FlowBook {
   file(): Promise<Blob>;
   close(): void;
 }
+
+/** Returns whether all pages of a book, but for its cover, are set for leaves of one size and turned. */
+export function isAllText({ sections }: FlowBook): boolean {
+  return sections.every(
+    ({ isFixed, roll }, index) =>
+      roll === undefined && (!isFixed || (index === 0 && sections.length > 1)),
+  );
+}

@@ -20,14 +20,14 @@ import {
 import { orAborted } from "../shared_tasks.ts";
 import { drawMarkup } from "./draw_markup.ts";
 import { Edition } from "./edition.ts";
-import type { FlowBook, FlowOutline, FlowTarget } from "./flow_book.ts";
+import { type FlowBook, type FlowOutline, type FlowTarget, isAllText } from "./flow_book.ts";
 import { FlowWarnings } from "./flow_warnings.ts";
 import { idle } from "./idle.ts";
 import type { LaidChapter } from "./laid_chapter.ts";
 import { Narrator } from "./narrator.ts";
 import { NumberedPages } from "./numbered_pages.ts";
-import { SectionLengths } from "./page_estimate.ts";
-import { mayFace, paperback } from "./page_measures.ts";
+import { firstRead, SectionLengths } from "./page_estimate.ts";
+import { leafOf, mayFace, paperback } from "./page_measures.ts";
 import type { SectionPage } from "./page_numbers.ts";
 import { RunningHeads } from "./running_heads.ts";
 import { SectionContents } from "./section_contents.ts";
@@ -56,7 +56,7 @@ const mostDrawn = 200;
 /** Sections that the links of one page may have laid out, to find where they lead. */
 const mostTargets = 4;
 
-/** The lengths of a book's sections, which are being read. */
+/** The lengths of a book's sections, of which the first are being read. */
 interface ReadLengths {
   readonly lengths: SectionLengths;
   readonly reading: Promise<void>;
@@ -76,13 +76,14 @@ export class FlowSource implements PageSource {
   readonly direction: "ltr" | "rtl";
   readonly kind = "typeset";
   readonly layout?: "spread" | "single";
+  readonly usualLeaf?: PageSize;
   readonly cover: PageSource["cover"];
   readonly authors: readonly string[];
   readonly details: readonly BookDetail[];
   /** Sets the book in another typography; absent if all its pages are of fixed layout. */
   readonly typeset?: (typography: Typography) => Promise<void>;
   readonly narration?: Narrator;
-  /** Resolves once the number of pages is estimated by all of the book's text, and by a part of it that is laid out. */
+  /** Resolves once the number of pages is estimated by text of the whole book, and by parts of it that are laid out. */
   readonly estimated: Promise<void>;
   /** Absent if all pages are turned. */
   readonly roll?: (index: number) => number | null;
@@ -112,7 +113,7 @@ export class FlowSource implements PageSource {
     const lengths = new SectionLengths(book.sections);
     const edition = new Edition(book, contents, warnings, lengths, typography);
     const ended = new AbortController();
-    const reading = lengths.read(ended.signal);
+    const reading = lengths.read(ended.signal, firstRead);
     try {
       await edition.lay(0);
     } catch (error) {
@@ -139,6 +140,7 @@ export class FlowSource implements PageSource {
     this.language = book.language;
     this.direction = book.direction;
     if (book.layout) this.layout = book.layout;
+    if (isAllText(book)) this.usualLeaf = paperback;
     this.cover = book.cover;
     this.details = book.details ?? [];
     // A name without a word about it is an author's.
@@ -165,6 +167,7 @@ export class FlowSource implements PageSource {
       });
     }
     this.estimated = reading.then(() => this.#sample(edition));
+    this.estimated.then(() => lengths.read(ended.signal)).then(() => this.#correct());
     this.#counting = this.#layRest(edition);
   }
 
@@ -181,7 +184,14 @@ export class FlowSource implements PageSource {
   }
 
   mayFace(width: number, alone: number): boolean {
-    return !this.typeset || mayFace(this.#edition.typography, width, alone);
+    const { typography } = this.#edition;
+    const leaf = leafOf(typography);
+    const height = (alone * leaf.height) / leaf.width;
+    return !this.typeset || mayFace(typography, width, { width: alone, height });
+  }
+
+  get leaf(): PageSize | undefined {
+    return this.usualLeaf && leafOf(this.#edition.typography);
   }
 
   get isEstimated(): boolean {
@@ -192,7 +202,7 @@ export class FlowSource implements PageSource {
     const { section } = this.#at(index);
     const { isFixed, roll } = this.#book.sections[section] ?? {};
     if (isFixed || roll !== undefined) await this.#edition.lay(section, signal);
-    return this.#edition.mapOf(section)?.size ?? paperback;
+    return this.#edition.mapOf(section)?.size ?? leafOf(this.#edition.typography);
   }
 
   inSpread(index: number): ReturnType<NonNullable<PageSource["inSpread"]>> {
@@ -527,11 +537,10 @@ export class FlowSource implements PageSource {
     this.#announce();
   }
 
-  /** Lays out a part of the book by which the rest is estimated. */
+  /** Lays out parts of the book by which the rest is estimated. */
   async #sample(edition: Edition): Promise<void> {
     if (this.#isClosed || edition !== this.#edition) return;
-    // One that cannot be laid out says so on its page.
-    await edition.sample().catch(() => {});
+    await edition.sample();
     this.#correct();
   }
 

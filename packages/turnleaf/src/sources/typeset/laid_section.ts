@@ -1,7 +1,7 @@
 import { cleanText } from "../book_text.ts";
 import { isPageSize, limits } from "../limits.ts";
 import type { PageBox, PageColours, PageSize, TextRun, Typography } from "../page_source.ts";
-import { alignText } from "./align_text.ts";
+import { alignText, alignUnsaid } from "./align_text.ts";
 import { fitBoxes } from "./fit_boxes.ts";
 import {
   type FlowContent,
@@ -25,7 +25,7 @@ import { divideWords } from "./hyphenation/divide_words.ts";
 import { bleed } from "./lone_picture.ts";
 import { type MarginStyle, Markup, type PageMargins } from "./markup.ts";
 import { blankIds, isNoteLink, noteText } from "./notes.ts";
-import { measuresOf, type PageMeasures, paperback } from "./page_measures.ts";
+import { leafOf, measuresOf, type PageMeasures } from "./page_measures.ts";
 import { type PageFlow, pageOfRect, TextMap } from "./text_map.ts";
 import { isTypeface, typefaceRules } from "./typefaces/typefaces.ts";
 import {
@@ -298,6 +298,7 @@ async function layIn<T>(
   isScrolled: boolean,
   done: (...parts: MadeParts) => T,
 ): Promise<T> {
+  const leaf = leafOf(typography);
   let page = measuresOf(typography);
   let size = content.size ?? { width: page.width, height: page.height };
   const html = frame.document.importNode(content.root, true) as HTMLElement;
@@ -337,6 +338,7 @@ async function layIn<T>(
   frame.adopt([...own, ...inColumns]);
   if (!content.size) {
     alignText(body, typography.align);
+    alignUnsaid(body, typography);
     if (typography.hyphens !== "none") await divideWords(body);
   }
   await loadedIn(frame, html);
@@ -367,8 +369,8 @@ async function layIn<T>(
     ...notesIn(html, flow, pageCount),
     lost: [...(content.lost ?? []), ...lostIn(frame, html, flow, pageCount)],
     size: content.size ?? {
-      width: paperback.width,
-      height: isSliced ? (size.height * paperback.width) / page.width : paperback.height,
+      ...leaf,
+      ...(isSliced && { height: (size.height * leaf.width) / page.width }),
     },
   };
   const text = new TextMap(body, flow, pageCount);

@@ -191,6 +191,13 @@ test("lines are counted by paragraphs, without what is not seen", () => {
   expect(linesIn("<p>&#160;&amp;</p>")).toBe(1);
   expect(linesIn(`<p>${"山".repeat(54)}</p>`)).toBe(2);
   expect(linesIn(`<math><annotation>${"y".repeat(500)}</annotation><mi>x</mi></math>`)).toBe(1);
+  // Preformatted text has its own lines, and an empty one among them.
+  expect(linesIn("<pre>one\n  two\n\nthree</pre>")).toBe(4);
+  // Of a row the highest cell counts, in columns that are equally wide.
+  const cells = (...lengths: number[]): string =>
+    `<tr>${lengths.map((length) => `<td>${"z".repeat(length)}</td>`).join("")}</tr>`;
+  expect(linesIn(`<table>${cells(5, 5, 5)}${cells(50, 10, 40)}</table><p>one</p>`)).toBe(1 + 3 + 1);
+  expect(linesIn("<table><tr><td><p>one</p><p>two</p></td><td>three</td></tr></table>")).toBe(2);
   // Markup without an end takes no longer than another.
   expect(linesIn("<head".repeat(100_000))).toBeLessThan(20_000);
 });

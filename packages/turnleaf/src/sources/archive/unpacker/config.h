@@ -42,10 +42,13 @@
 #define HAVE_WMEMCPY 1
 #define HAVE_WMEMMOVE 1
 
-/* 7-Zip's LZMA and LZMA2, and the filters before them. */
+/* LZMA and LZMA2 of 7-Zip and XZ, the filters before them, and the sums of XZ. */
 #define HAVE_LIBLZMA 1
 #define HAVE_LZMA_H 1
 #define LZMA_API_STATIC 1
+#define HAVE_CHECK_CRC32 1
+#define HAVE_CHECK_CRC64 1
+#define HAVE_CHECK_SHA256 1
 #define HAVE_DECODERS 1
 #define HAVE_DECODER_ARM 1
 #define HAVE_DECODER_ARM64 1

@@ -1,6 +1,6 @@
 /** All files of an archive, unpacked once and in order, as solid archives have to be. */
 
-import { type ArchiveBytes, Unpacker, UnpackingError } from "./unpacker.ts";
+import { type ArchiveBytes, type Packing, Unpacker, UnpackingError } from "./unpacker.ts";
 
 /** Bounds on what is unpacked. */
 export interface UnpackingBounds {
@@ -33,8 +33,9 @@ export async function* unpackAll(
   code: BufferSource,
   archive: ArchiveBytes,
   bounds: UnpackingBounds,
+  packing: Packing = "archive",
 ): AsyncGenerator<Unpacked, void> {
-  const unpacker = await Unpacker.start(code, archive);
+  const unpacker = await Unpacker.start(code, archive, packing);
   try {
     yield* filesOf(unpacker, bounds);
   } catch (error) {

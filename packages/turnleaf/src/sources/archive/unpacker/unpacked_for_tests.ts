@@ -2,6 +2,7 @@
 
 import { unpack } from "../../../packed.ts";
 import { type Unpacked, type UnpackingBounds, unpackAll } from "./unpack_all.ts";
+import type { Packing } from "./unpacker.ts";
 import packed from "./unpacker.wasm";
 
 /** Bounds that small archives keep. */
@@ -16,11 +17,13 @@ export const bounds: UnpackingBounds = {
 export async function unpacked(
   bytes: Uint8Array,
   within: Partial<UnpackingBounds> = {},
+  packing: Packing = "archive",
 ): Promise<Unpacked[]> {
   const read = (offset: number, length: number) => bytes.subarray(offset, offset + length);
   const all: Unpacked[] = [];
   const archive = { length: bytes.length, read };
-  for await (const one of unpackAll(await unpack(packed), archive, { ...bounds, ...within })) {
+  const code = await unpack(packed);
+  for await (const one of unpackAll(code, archive, { ...bounds, ...within }, packing)) {
     all.push(one);
   }
   return all;

@@ -1,5 +1,5 @@
 /*
- * What unpacker.wasm offers: libarchive's readers of RAR and 7-Zip over a file that the page
+ * What unpacker.wasm offers: libarchive's readers of RAR, 7-Zip and XZ over a file that the page
  * reads for it. One archive an instance. It has no other way out: the functions of WASI that
  * the C library imports are refused by unpacker.ts. scripts/build_unpacker.mjs builds it.
  */
@@ -57,8 +57,11 @@ static la_int64_t seek_input(struct archive *a, void *data, la_int64_t offset, i
   return move_to(from + offset);
 }
 
-/* Opens an archive of `length` bytes from its start, in place of one that is open. Returns libarchive's status. */
-EXPORT(open) int open_archive(int length) {
+/*
+ * Opens an archive of `length` bytes from its start, in place of one that is open; if `is_xz`, a file
+ * packed by XZ, which is its one entry. Returns libarchive's status.
+ */
+EXPORT(open) int open_archive(int length, int is_xz) {
   if (archive) archive_read_free(archive);
   /* Names are UTF-8. */
   setlocale(LC_CTYPE, "C.UTF-8");
@@ -67,9 +70,15 @@ EXPORT(open) int open_archive(int length) {
   size = length;
   archive = archive_read_new();
   if (!archive) return ARCHIVE_FATAL;
-  archive_read_support_format_rar(archive);
-  archive_read_support_format_rar5(archive);
-  archive_read_support_format_7zip(archive);
+  if (is_xz) {
+    archive_read_support_filter_xz(archive);
+    archive_read_support_format_raw(archive);
+    archive_read_support_format_empty(archive);
+  } else {
+    archive_read_support_format_rar(archive);
+    archive_read_support_format_rar5(archive);
+    archive_read_support_format_7zip(archive);
+  }
   archive_read_set_callback_data(archive, NULL);
   archive_read_set_read_callback(archive, read_input);
   archive_read_set_skip_callback(archive, skip_input);

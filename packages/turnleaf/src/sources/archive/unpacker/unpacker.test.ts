@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { rar4, rar5, sevenZip } from "../../../for_tests/stored_archives.ts";
+import { rar4, rar5, sevenZip, xz } from "../../../for_tests/stored_archives.ts";
 import { unpack } from "../../../packed.ts";
 import { fixture } from "./fixtures_for_tests.ts";
 import type { Unpacked } from "./unpack_all.ts";
@@ -163,6 +163,40 @@ describe.each([
       for (const one of all) {
         if (one.kind === "file") expect(one.bytes.size).toBeLessThanOrEqual(bounds.fileBytes);
       }
+    }
+  });
+});
+
+/** 2,000 times "page ", packed by `xz -9e` with a sum of CRC-64, and by `xz -C sha256`. */
+const packedByXz = [
+  "/Td6WFoAAATm1rRGAgAhARwAAAAQz1jM4CcPADFdADgYSSrCxGJgsIREsAWsd06wya2FjSpwFe55fbpLubCsiL0I8sCHTJJmtiDaZv6tDwAAAAAA8p1g3Wx4NJsAAU2QTgAAAHHFXtqxxGf7AgAAAAAEWVo=",
+  "/Td6WFoAAArh+wyhAgAhARYAAAB0L+Wj4CcPADFdADgYSSrCxGJgsIREsAWsd06wya2FjSpwFe55fbpLubCsiL0I8sCHTJJmtiDaZv6tDwAAAAAAFmtdLqKXUpfNtBfgDWNZLKNiCOmFE4Y+35IjPgn4py8AAWWQTgAAACpCoTG26d8cAgAAAAAKWVo=",
+].map((text) => Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0)));
+
+describe("XZ", () => {
+  const text = "page ".repeat(2000);
+  const ofXz = (bytes: Uint8Array, within = {}) => unpacked(bytes, within, "xz");
+
+  it.each([
+    ["CRC-64", packedByXz[0] as Uint8Array],
+    ["SHA-256", packedByXz[1] as Uint8Array],
+    ["CRC-32, in chunks as they are", xz(new TextEncoder().encode(text))],
+  ])("is unpacked with sums of %s", async (_, bytes) => {
+    const { files, last } = await contents(ofXz(bytes));
+    expect([Object.values(files), last]).toEqual([[text], end]);
+    expect(
+      Object.values((await contents(ofXz(Uint8Array.from([...bytes, ...bytes])))).files),
+    ).toEqual([text + text]);
+  });
+
+  it("ends at too many bytes, and where it is damaged or cut off", async () => {
+    const [bytes] = packedByXz as [Uint8Array];
+    expect((await ofXz(bytes, { allBytes: 9999 })).at(-1)).toMatchObject({ stop: "bytes" });
+    // Behind its mark; a setting that changes nothing in this text may be another.
+    for (let at = 6; at < bytes.length; at++) {
+      expect(Object.keys((await contents(ofXz(bytes.slice(0, at)))).files), String(at)).toEqual([]);
+      const { files } = await contents(ofXz(bytes.with(at, bytes[at] ^ 1)));
+      for (const file of Object.values(files)) expect(file, String(at)).toBe(text);
     }
   });
 });

@@ -1,10 +1,10 @@
-/** libarchive's readers of RAR and 7-Zip, as WASM, over one archive that the caller reads for it. */
+/** libarchive's readers of RAR, 7-Zip and XZ, as WASM, over one archive that the caller reads for it. */
 
 /** What `unpacker.wasm` exports; see `unpacker.c`. Pointers are places in its memory. */
 interface Exports {
   readonly memory: WebAssembly.Memory;
   _initialize(): void;
-  open(length: number): number;
+  open(length: number, isXz: number): number;
   next(): number;
   isFile(): number;
   path(): number;
@@ -35,13 +35,21 @@ export interface ArchiveBytes {
   read(offset: number, length: number): Uint8Array;
 }
 
+/** What is unpacked: an archive of files, or one file that is packed by XZ. */
+export type Packing = "archive" | "xz";
+
 /** An archive whose files are unpacked in their order. */
 export class Unpacker {
   readonly #wasm: Exports;
   readonly #archive: ArchiveBytes;
+  readonly #packing: Packing;
 
   /** Starts the code in `code`. Call `open` first. Rejects if the page's policy forbids WASM. */
-  static async start(code: BufferSource, archive: ArchiveBytes): Promise<Unpacker> {
+  static async start(
+    code: BufferSource,
+    archive: ArchiveBytes,
+    packing: Packing,
+  ): Promise<Unpacker> {
     const module = await WebAssembly.compile(code);
     let wasm: Exports | undefined;
     const read = (to: number, offset: number, length: number): number => {
@@ -72,17 +80,19 @@ export class Unpacker {
     });
     wasm = exports as unknown as Exports;
     wasm._initialize();
-    return new Unpacker(wasm, archive);
+    return new Unpacker(wasm, archive, packing);
   }
 
-  private constructor(wasm: Exports, archive: ArchiveBytes) {
+  private constructor(wasm: Exports, archive: ArchiveBytes, packing: Packing) {
     this.#wasm = wasm;
     this.#archive = archive;
+    this.#packing = packing;
   }
 
   /** Opens the archive from its start, again if it is open. Throws an `UnpackingError` if it is none. */
   open(): void {
-    if (this.#wasm.open(this.#archive.length) !== ok) throw this.#failure();
+    const isXz = this.#packing === "xz" ? 1 : 0;
+    if (this.#wasm.open(this.#archive.length, isXz) !== ok) throw this.#failure();
   }
 
   /** Goes on to the next entry. Returns false if there is none. Throws an `UnpackingError`. */

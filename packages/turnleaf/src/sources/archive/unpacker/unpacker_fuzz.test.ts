@@ -1,8 +1,8 @@
-/** Whatever bytes an archive of RAR or 7-Zip has, it comes to an end within the bounds. */
+/** Whatever bytes an archive of RAR or 7-Zip, or a file packed by XZ, has, it comes to an end within the bounds. */
 
 import { expect } from "vitest";
 import { clue, fuzzed } from "../../../for_tests/random_numbers.ts";
-import { rar4, rar5, sevenZip } from "../../../for_tests/stored_archives.ts";
+import { rar4, rar5, sevenZip, xz } from "../../../for_tests/stored_archives.ts";
 import { fixture, fixtureNames } from "./fixtures_for_tests.ts";
 import { bounds, unpacked } from "./unpacked_for_tests.ts";
 
@@ -10,10 +10,11 @@ const files = { "1.png": "an image", "b/2.png": "another", "ComicInfo.xml": "<Co
 const whole: readonly Uint8Array[] = [
   ...fixtureNames.map(fixture),
   ...[rar4, rar5, sevenZip].map((pack) => pack(files)),
+  xz(new TextEncoder().encode("text ".repeat(20))),
 ];
 
 fuzzed(
-  "a mutated archive of RAR or 7-Zip comes to an end within the bounds",
+  "a mutated archive of RAR or 7-Zip, or file of XZ, comes to an end within the bounds",
   300,
   async (random) => {
     const index = random.below(whole.length);
@@ -26,7 +27,7 @@ fuzzed(
     }
     if (random.below(4) === 0) bytes = bytes.slice(0, random.below(bytes.length));
     const said = clue([index, [...bytes].join()]);
-    const all = await unpacked(bytes);
+    const all = await unpacked(bytes, {}, index === whole.length - 1 ? "xz" : "archive");
     expect(["end", "failed"], said).toContain(all.at(-1)?.kind);
     let sum = 0;
     for (const one of all) {

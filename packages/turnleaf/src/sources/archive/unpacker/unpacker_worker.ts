@@ -1,7 +1,7 @@
 /** The worker in which an archive is unpacked: it may be ended at any time. */
 
 import { type Unpacked, type UnpackingBounds, unpackAll } from "./unpack_all.ts";
-import type { ArchiveBytes } from "./unpacker.ts";
+import type { ArchiveBytes, Packing } from "./unpacker.ts";
 
 /** What the page sends, once. */
 export interface UnpackingTask {
@@ -9,6 +9,7 @@ export interface UnpackingTask {
   readonly code: Uint8Array<ArrayBuffer>;
   readonly file: Blob;
   readonly bounds: UnpackingBounds;
+  readonly packing: Packing;
 }
 
 /** What the worker sends besides what is in the archive: that it runs, or why it does not. */
@@ -29,9 +30,10 @@ const windowLength = 1 << 20;
 
 const scope = globalThis as unknown as Scope;
 
-scope.onmessage = async ({ data: { code, file, bounds } }) => {
+scope.onmessage = async ({ data: { code, file, bounds, packing } }) => {
   try {
-    for await (const message of unpackAll(code, bytesOf(file), bounds)) scope.postMessage(message);
+    const messages = unpackAll(code, bytesOf(file), bounds, packing);
+    for await (const message of messages) scope.postMessage(message);
   } catch (error) {
     scope.postMessage({ kind: "forbidden", detail: String(error) });
   }

@@ -45,13 +45,13 @@ function divideText(node: Text, divide: Divide): void {
 }
 
 /** Returns the language of an element's text; "" if none is said. */
-function languageOf(element: Element): string {
+export function languageOf(element: Element): string {
   const said = element.closest("[lang], [xml\\:lang]");
   return said?.getAttribute("lang") ?? said?.getAttribute("xml:lang") ?? "";
 }
 
 /** Returns whether the browser itself divides words of a language. */
-function canDivide(body: Element, language: string): boolean {
+export function canDivide(body: Element, language: string): boolean {
   const known = divides.get(language);
   if (known !== undefined) return known;
   const box = body.ownerDocument.createElement("div");

@@ -1,7 +1,8 @@
 //! The parts of a creased leaf between its creases, and where they meet each other.
 
+use super::tolerance::{CURLED, DEEPEST, GAP, PUSHED_AT_ONCE};
+use super::triangle::{BESIDE, area_normal};
 use crate::models::sheet::{CONTACTS, Contact, Sheet};
-use crate::tolerance::{CURLED, DEEPEST, GAP, PUSHED_AT_ONCE};
 use crate::turn::TurnModel;
 use crate::vector::{cross, dot, sub, unit};
 
@@ -13,9 +14,6 @@ const FIRM: f32 = 0.9;
 /// between two.
 pub const PARTS: [usize; 2] = [3, CONTACTS - 1];
 
-/// How far beyond a triangle's sides, as part of its size, what lies over it still does.
-pub const BESIDE: f32 = 0.05;
-
 /// How much longer than at rest a triangle's sides may be, and what lies over it still be found.
 const STRETCHED: f32 = 1.1;
 
@@ -25,7 +23,7 @@ pub const PARTS_GAP: f32 = 2.0 * GAP;
 
 /// A triangle of a creased leaf.
 #[derive(Clone, Debug)]
-struct Triangle {
+struct PartTriangle {
     nodes: [usize; 3],
     /// A set of bits, one for each crease that it lies beyond.
     part: u16,
@@ -33,11 +31,10 @@ struct Triangle {
     reach: f32,
 }
 
-impl Triangle {
+impl PartTriangle {
     /// Its normal, twice as long as it is large.
     fn normal(&self, points: &[[f32; 3]]) -> [f32; 3] {
-        let [a, b, c] = self.nodes.map(|node| points[node]);
-        cross(sub(b, a), sub(c, a))
+        area_normal(self.nodes.map(|node| points[node]))
     }
 }
 
@@ -50,7 +47,7 @@ pub fn is_turned_over(part: u16, shut: u16) -> bool {
 /// The parts of a creased leaf.
 #[derive(Clone, Debug)]
 pub struct Flaps {
-    triangles: Vec<Triangle>,
+    triangles: Vec<PartTriangle>,
     /// The part of each node; None for those on creases.
     parts: Vec<Option<u16>>,
     /// The creases, each as the only bit of a set, from the one with the most beyond it to the
@@ -132,7 +129,7 @@ impl Flaps {
             across,
             triangles: triangles
                 .iter()
-                .map(|&(nodes, part)| Triangle {
+                .map(|&(nodes, part)| PartTriangle {
                     nodes,
                     part,
                     reach: of_reach(nodes),
@@ -282,8 +279,7 @@ impl Flaps {
             return found;
         }
         for triangle in &self.triangles {
-            let [a, b, c] = triangle.nodes.map(|node| points[node]);
-            add_facing(&mut found, triangle.part, cross(sub(b, a), sub(c, a)));
+            add_facing(&mut found, triangle.part, triangle.normal(points));
         }
         found
     }
@@ -503,9 +499,8 @@ mod tests {
             for (node, part) in flaps.parts.iter().enumerate() {
                 let Some(part) = *part else { continue };
                 for other in flaps.triangles.iter().filter(|other| other.part != part) {
-                    let [a, b, c] = other.nodes.map(|node| points[node]);
-                    let normal = unit(cross(sub(b, a), sub(c, a)));
-                    let away = sub(points[node], a);
+                    let normal = unit(other.normal(points));
+                    let away = sub(points[node], points[other.nodes[0]]);
                     let height = dot(away, normal);
                     let level: [f32; 3] =
                         core::array::from_fn(|axis| away[axis] - height * normal[axis]);

@@ -1,10 +1,11 @@
 //! Whether two leaves go through each other.
 //!
 //! Tested where leaves have come deep into each other, of the leaves as they are
-//! simulated (see [`Flights::step`](super::flights::Flights::step)) and as they are
-//! drawn (see [`draw`](super::draw)).
+//! simulated and as they are drawn.
 
+use super::aabb::Aabb;
 use super::mesh::Mesh;
+use super::triangle::area_normal;
 use super::work::Work;
 use crate::models::sheet::CAN_CREASE;
 use crate::vector::{cross, dot, sub};
@@ -45,16 +46,13 @@ const GROUP: usize = 4;
 #[derive(Clone, Debug, Default)]
 pub struct Tiles {
     tiles: Vec<Tile>,
-    groups: Vec<(Bounds, core::ops::Range<usize>)>,
+    groups: Vec<(Aabb, core::ops::Range<usize>)>,
     cones: Vec<Cone>,
 }
 
-/// Lowest and highest corner of a box.
-type Bounds = [Point; 2];
-
 #[derive(Clone, Debug)]
 struct Tile {
-    bounds: Bounds,
+    bounds: Aabb,
     /// Its column and its row among the tiles.
     place: [usize; 2],
     /// Column and row of its points.
@@ -91,14 +89,9 @@ impl Tiles {
                         self.tiles.push(Tile::of(leaf, c, r));
                     }
                 }
-                let inside = &self.tiles[from..];
-                let first = inside[0].bounds;
-                let around = inside.iter().fold(first, |all, tile| {
-                    [
-                        core::array::from_fn(|i| all[0][i].min(tile.bounds[0][i])),
-                        core::array::from_fn(|i| all[1][i].max(tile.bounds[1][i])),
-                    ]
-                });
+                let mut around = Aabb::EMPTY;
+                let inside = self.tiles[from..].iter();
+                inside.for_each(|tile| around.unite(&tile.bounds));
                 self.groups.push((around, from..self.tiles.len()));
             }
         }
@@ -109,14 +102,12 @@ impl Tiles {
     pub fn cross(&self, other: &Tiles, tolerance: f32, work: &mut Work) -> bool {
         work.spend(BOXES * (self.groups.len() * other.groups.len()) as u32);
         self.groups.iter().any(|(around, inside)| {
-            let mut groups = other
-                .groups
-                .iter()
-                .filter(|group| overlap(around, &group.0));
+            let groups = other.groups.iter();
+            let mut groups = groups.filter(|group| around.overlaps(&group.0));
             groups.any(|(around, others)| {
                 work.spend(BOXES * inside.len() as u32);
                 let own = self.tiles[inside.clone()].iter();
-                let mut own = own.filter(|own| overlap(&own.bounds, around));
+                let mut own = own.filter(|own| own.bounds.overlaps(around));
                 own.any(|own| {
                     work.spend(BOXES * others.len() as u32);
                     let mut others = other.tiles[others.clone()].iter();
@@ -144,7 +135,7 @@ impl Tiles {
         (0..count).any(|k| {
             (k..count).any(|j| {
                 work.spend(BOXES);
-                overlap(&self.groups[k].0, &self.groups[j].0)
+                self.groups[k].0.overlaps(&self.groups[j].0)
                     && self.groups_cross([k, j], -apart, work)
             })
         })
@@ -163,10 +154,6 @@ impl Tiles {
             })
         })
     }
-}
-
-fn overlap(a: &Bounds, b: &Bounds) -> bool {
-    (0..3).all(|axis| a[0][axis] <= b[1][axis] && b[0][axis] <= a[1][axis])
 }
 
 impl Cone {
@@ -225,7 +212,10 @@ impl Tile {
         let falling = (0..SIDE * SIDE).filter(|k| leaf.folds.is_falling(node(*k)));
         let [x, y, z] = points.each_ref().map(range);
         Tile {
-            bounds: [[x[0], y[0], z[0]], [x[1], y[1], z[1]]],
+            bounds: Aabb {
+                low: [x[0], y[0], z[0]],
+                high: [x[1], y[1], z[1]],
+            },
             place: [column / TILE, row / TILE],
             nodes: core::array::from_fn(|k| {
                 let node = node(k);
@@ -259,8 +249,7 @@ impl Tile {
     fn cone(&self) -> Cone {
         let mut square = f32::MAX;
         for corners in self.facets() {
-            let [a, b, c] = corners.map(|k| self.point(k));
-            let normal = cross(sub(b, a), sub(c, a));
+            let normal = area_normal(corners.map(|k| self.point(k)));
             let (along, length) = (dot(normal, self.normal), dot(normal, normal));
             // Where the leaf has fewer points a facet is none.
             if length > 1e-20 {
@@ -275,7 +264,7 @@ impl Tile {
     /// Whether two tiles go through each other by more than `tolerance`. Where both are `of_one`
     /// leaf an edge does not go through facets that it ends at.
     fn crosses(&self, other: &Tile, tolerance: f32, of_one: bool, work: &mut Work) -> bool {
-        if !overlap(&self.bounds, &other.bounds) {
+        if !self.bounds.overlaps(&other.bounds) {
             return false;
         }
         work.spend(PLANES);
@@ -301,16 +290,8 @@ impl Tile {
         other.facets().any(|corners| {
             let facet = corners.map(|k| other.point(k));
             let ends_at = |node: Node| of_one && corners.iter().any(|&k| other.nodes[k] == node);
-            self.is_by(&facet) && self.pierces_facet(facet, tolerance, ends_at)
-        })
-    }
-
-    /// Whether a facet reaches into the tile's box.
-    fn is_by(&self, [a, b, c]: &[Point; 3]) -> bool {
-        (0..3).all(|i| {
-            let (low, high) = (self.bounds[0][i], self.bounds[1][i]);
-            (a[i] >= low || b[i] >= low || c[i] >= low)
-                && (a[i] <= high || b[i] <= high || c[i] <= high)
+            Aabb::around(facet).overlaps(&self.bounds)
+                && self.pierces_facet(facet, tolerance, ends_at)
         })
     }
 
@@ -320,10 +301,9 @@ impl Tile {
         tolerance: f32,
         ends_at: impl Fn(Node) -> bool,
     ) -> bool {
-        let [a, b, c] = facet;
-        let normal = cross(sub(b, a), sub(c, a));
+        let normal = area_normal(facet);
         let tolerance = tolerance * dot(normal, normal).sqrt();
-        let heights = heights(&self.points, normal, dot(normal, a));
+        let heights = heights(&self.points, normal, dot(normal, facet[0]));
         let [low, high] = range(&heights);
         if low >= -tolerance || high <= tolerance {
             return false;
@@ -433,7 +413,7 @@ mod tests {
                 let [p, q] = edge.map(|node| own[node]);
                 triangles.iter().any(|corners| {
                     let facet = corners.map(|node| other[node]);
-                    let normal = cross(sub(facet[1], facet[0]), sub(facet[2], facet[0]));
+                    let normal = area_normal(facet);
                     let length = dot(normal, normal).sqrt();
                     let [h, g] = [p, q].map(|end| dot(normal, sub(end, facet[0])) / length);
                     let way = h / (h - g);

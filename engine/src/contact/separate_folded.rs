@@ -7,13 +7,14 @@
 //! other, and edges that still go through a triangle are moved off it where they are deepest,
 //! which is where they pass its rim.
 
+use super::aabb::Aabb;
 use super::flap_order::FlapOrder;
+use super::flaps::is_turned_over;
 use super::separate_parts::{BLOCK, Block, DrawnParts, Slab};
 use super::tolerance::{NOT_UPON, ROOM_FROM_SPINE, SLACK, SLIVER};
-use super::triangle::Triangle;
+use super::triangle::{BESIDE, EdgePlace, Triangle};
 use super::work::Work;
-use crate::flaps::{BESIDE, is_turned_over};
-use crate::vector::{dot, sub};
+use crate::vector::dot;
 
 /// Work of looking at two blocks, at a point beside a block or a triangle, and at a triangle,
 /// nanoseconds.
@@ -29,7 +30,7 @@ const CORNERS: usize = (BLOCK + 1) * (BLOCK + 1);
 pub struct PartedLeaf<'a> {
     pub points: &'a [[f32; 3]],
     pub parts: &'a DrawnParts,
-    /// Its creases that are [shut](crate::flaps::Flaps::shut).
+    /// Its creases that are [shut](super::flaps::Flaps::shut).
     pub shut: u16,
 }
 
@@ -81,7 +82,7 @@ impl Order {
 
 /// Where the blocks of a leaf are.
 pub struct PlacedBlocks {
-    boxes: Vec<[[f32; 3]; 2]>,
+    boxes: Vec<Aabb>,
     slabs: Vec<Option<Slab>>,
 }
 
@@ -103,26 +104,26 @@ impl PlacedBlocks {
     }
 
     /// The box around all.
-    fn around(&self) -> [[f32; 3]; 2] {
-        box_around(self.boxes.as_flattened().iter().copied())
+    fn around(&self) -> Aabb {
+        let mut all = Aabb::EMPTY;
+        self.boxes.iter().for_each(|one| all.unite(one));
+        all
     }
 
     /// Whether a box reaches over triangles of a block or under them, by less than overlaps.
-    fn is_beside(&self, [low, high]: [[f32; 3]; 2], block: usize, slab: &Slab, scale: f32) -> bool {
-        let [own_low, own_high] = self.boxes[block];
-        let size = sub(own_high, own_low);
+    fn is_beside(&self, bounds: &Aabb, block: usize, slab: &Slab, scale: f32) -> bool {
+        let own = &self.boxes[block];
+        let size = own.size();
         let beyond = BESIDE * dot(size, size).sqrt();
-        (0..3).any(|i| {
-            let within = NOT_UPON * scale * slab.normal[i].abs() + beyond;
-            low[i] > own_high[i] + within || high[i] < own_low[i] - within
-        })
+        let within = slab.normal.map(|n| NOT_UPON * scale * n.abs() + beyond);
+        !own.grown(within).overlaps(bounds)
     }
 }
 
 impl PartedLeaf<'_> {
-    fn box_of(&self, block: &Block) -> [[f32; 3]; 2] {
+    fn box_of(&self, block: &Block) -> Aabb {
         let corners = self.parts.corners[block.corners.clone()].iter();
-        box_around(corners.map(|node| self.points[*node]))
+        Aabb::around(corners.map(|node| self.points[*node]))
     }
 
     fn is_turned_over(&self, block: usize) -> bool {
@@ -130,38 +131,13 @@ impl PartedLeaf<'_> {
     }
 
     /// Whether every corner of a block is so far from the triangles in a slab, on a side.
-    fn is_clear_of(
-        &self,
-        block: usize,
-        bounds: [[f32; 3]; 2],
-        slab: &Slab,
-        side: f32,
-        gap: f32,
-    ) -> bool {
+    fn is_clear_of(&self, block: usize, bounds: &Aabb, slab: &Slab, side: f32, gap: f32) -> bool {
         let corners = &self.parts.corners[self.parts.blocks[block].corners.clone()];
         slab.distance(bounds, side) >= gap
             || corners
                 .iter()
                 .all(|node| slab.distance_of(self.points[*node], side) >= gap)
     }
-}
-
-/// The box around points. Compared by hand: a library's least and most mind what is no number, and
-/// are slow.
-fn box_around(points: impl Iterator<Item = [f32; 3]>) -> [[f32; 3]; 2] {
-    let mut bounds = [[f32::MAX; 3], [f32::MIN; 3]];
-    for point in points {
-        for (axis, x) in point.into_iter().enumerate() {
-            let [low, high] = [bounds[0][axis], bounds[1][axis]];
-            bounds[0][axis] = if x < low { x } else { low };
-            bounds[1][axis] = if x > high { x } else { high };
-        }
-    }
-    bounds
-}
-
-fn touch([low, high]: [[f32; 3]; 2], [other_low, other_high]: [[f32; 3]; 2]) -> bool {
-    (0..3).all(|i| low[i] <= other_high[i] && high[i] >= other_low[i])
 }
 
 /// Where a place is too low over a triangle, or in it.
@@ -198,35 +174,20 @@ fn missing(place: [f32; 3], height: f32, scale: f32) -> Option<f32> {
     (missing > SLACK * room).then_some(missing)
 }
 
-/// The part of an edge from one end to the other at which it is lowest over a triangle, the weights
-/// of the triangle's corners there, and by how much it is too low, metres, if it was ever
-/// over it; None where it is nowhere under the triangle.
+/// Where an edge that goes through a triangle is lowest, and by how much it is too low there,
+/// metres, if it was ever over the triangle; None where it is nowhere under it.
 fn lowest_over(
     ends: [[f32; 3]; 2],
     triangle: &Triangle,
     scale: f32,
-) -> Option<(f32, [f32; 3], Option<f32>)> {
-    let heights = ends.map(|end| triangle.height(end));
-    let of_ends = ends.map(|end| triangle.weights(end));
-    let weights: [[f32; 2]; 3] = core::array::from_fn(|k| of_ends.map(|weights| weights[k]));
-    // The part of the way on which none is below 0.
-    let (mut first, mut last) = (0.0f32, 1.0f32);
-    for [a, b] in weights {
-        match (a < 0.0, b < 0.0) {
-            (true, true) => return None,
-            (true, false) if a / (a - b) > first => first = a / (a - b),
-            (false, true) if a / (a - b) < last => last = a / (a - b),
-            _ => {}
-        }
-    }
-    let way = if heights[0] < heights[1] { first } else { last };
-    let height = heights[0] + way * (heights[1] - heights[0]);
-    if first > last || height >= 0.0 {
+) -> Option<(EdgePlace, Option<f32>)> {
+    let lowest = triangle.lowest_of_edge(ends)?;
+    if lowest.height >= 0.0 {
         return None;
     }
-    let place = core::array::from_fn(|i| ends[0][i] + way * (ends[1][i] - ends[0][i]));
-    let weights = weights.map(|[a, b]| (a + way * (b - a)).max(0.0));
-    Some((way, weights, missing(place, height, scale)))
+    let place = core::array::from_fn(|i| ends[0][i] + lowest.way * (ends[1][i] - ends[0][i]));
+    let missing = missing(place, lowest.height, scale);
+    Some((lowest, missing))
 }
 
 /// A leaf that is moved.
@@ -336,7 +297,7 @@ pub fn push_off_leaf(
         let facing = order.side_of((&own.parted(), block), (other, other_block));
         let slab = placed.slab(other, other_block);
         let bounds = own.parted().box_of(&own.parts.blocks[block]);
-        if own.parted().is_clear_of(block, bounds, &slab, facing, 0.0) {
+        if own.parted().is_clear_of(block, &bounds, &slab, facing, 0.0) {
             continue;
         }
         outcome = outcome.max(push_edges_off(
@@ -400,39 +361,37 @@ fn find_pairs(
     let blocks = (0..own.parts.blocks.len()).filter(|block| has_moved[*block]);
     for block in blocks {
         let bounds = own_placed.boxes[block];
-        let [low, high] = bounds;
-        if (0..3).any(|i| high[i] < all[0][i] - within || low[i] > all[1][i] + within) {
+        let near = bounds.grown([within; 3]);
+        if !near.overlaps(&all) {
             continue;
         }
         work.spend(BLOCKS * other.parts.blocks.len() as u32);
         for other_block in 0..other.parts.blocks.len() {
             let others = placed.boxes[other_block];
-            let is_near =
-                (0..3).all(|i| high[i] > others[0][i] - within && low[i] < others[1][i] + within);
-            if !is_near {
+            if !near.overlaps(&others) {
                 continue;
             }
             work.spend(POINT * CORNERS as u32);
             // What a plane parts is clear, from either side.
             let slab = placed.slab(other, other_block);
             let facing = order.side_of((own, block), (other, other_block));
-            if own.is_clear_of(block, bounds, &slab, facing, gap) {
+            if own.is_clear_of(block, &bounds, &slab, facing, gap) {
                 continue;
             }
             let own_slab = own_placed.slab(own, block);
             let facing = order.reversed().side_of((other, other_block), (own, block));
             work.spend(POINT * CORNERS as u32);
-            if other.is_clear_of(other_block, others, &own_slab, facing, gap) {
+            if other.is_clear_of(other_block, &others, &own_slab, facing, gap) {
                 continue;
             }
             if order.is_under((own, block), (other, other_block)) {
                 has_covered = true;
                 continue;
             }
-            if !placed.is_beside(bounds, other_block, &slab, scale) {
+            if !placed.is_beside(&bounds, other_block, &slab, scale) {
                 over.push([block, other_block]);
             }
-            if !own_placed.is_beside(others, block, &own_slab, scale) {
+            if !own_placed.is_beside(&others, block, &own_slab, scale) {
                 under.push([other_block, block]);
             }
         }
@@ -550,8 +509,8 @@ fn push_edges_off(
             Edges::Own => corners.map(|corner| other.points[corner]),
             Edges::Others => own.at(*corners),
         };
-        let around = box_around(at(own).into_iter());
-        if !touch(around, bounds) {
+        let around = Aabb::around(at(own));
+        if !around.overlaps(&bounds) {
             continue;
         }
         let triangle = Triangle::of(at(own), side);
@@ -564,12 +523,13 @@ fn push_edges_off(
                 Edges::Own => edge.map(|node| own.points[node]),
                 Edges::Others => edge.map(|node| other.points[node]),
             };
-            if !touch(around, box_around(ends.into_iter())) {
+            if !around.overlaps(&Aabb::around(ends)) {
                 continue;
             }
             // Where the edge before has moved it.
             let triangle = Triangle::of(at(own), side);
-            if let Some((way, weights, missing)) = lowest_over(ends, &triangle, scale) {
+            if let Some((lowest, missing)) = lowest_over(ends, &triangle, scale) {
+                let EdgePlace { way, weights, .. } = lowest;
                 match (edges, missing) {
                     (Edges::Own, Some(by)) => own.push(edge, [1.0 - way, way], triangle.normal, by),
                     (Edges::Others, Some(by)) => own.push(*corners, weights, triangle.normal, -by),
@@ -609,7 +569,7 @@ fn edges_through(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::book::separate_parts::{ROUNDS, tests::folded};
+    use crate::contact::separate_parts::{ROUNDS, tests::folded};
 
     const COLUMNS: usize = 9;
     const ROWS: usize = 7;

@@ -5,7 +5,9 @@
 //! apart bends over no rim that stands up, and what comes from beside is met before it is deep
 //! in.
 
+use super::aabb::Aabb;
 use super::tolerance::SLIVER;
+use super::triangle::PlanTriangle;
 use crate::real::bounded;
 
 /// How steeply heights fall off at most, as a sheet drapes over a rim.
@@ -14,13 +16,13 @@ const SLOPE: f32 = 1.0;
 /// Where nothing lies.
 const NOTHING: f32 = f32::NEG_INFINITY;
 
-/// Least area in plan of a triangle that counts, over the square of the lattice's spacing: a
+/// Least of twice the area in plan of a triangle that counts, over the square of the lattice's spacing: a
 /// smaller one covers no node but by rounding.
 const LEAST_AREA: f32 = 1e-4;
 
 /// The upper side of a sheet, as it was drawn.
 #[derive(Clone, Debug)]
-pub(super) struct Relief {
+pub struct Relief {
     lattice: Lattice,
     columns: usize,
     rows: usize,
@@ -51,27 +53,17 @@ impl Lattice {
 
     /// Calls `visit` with each node that lies in a triangle in plan, and the height there.
     fn each_node_in(self, corners: [[f32; 3]; 3], mut visit: impl FnMut([i32; 2], f32)) {
-        let [a, b, c] = corners;
-        let [u, v] = [b, c].map(|p| [p[0] - a[0], p[1] - a[1]]);
-        let area = u[0] * v[1] - u[1] * v[0];
-        if area.abs() < LEAST_AREA * self.spacing * self.spacing {
+        let least = LEAST_AREA * self.spacing * self.spacing;
+        let Some(triangle) = PlanTriangle::of(corners, least) else {
             return;
-        }
-        let range = |axis: usize| {
-            let at = corners.map(|corner| corner[axis]);
-            let least = at[0].min(at[1]).min(at[2]);
-            let most = at[0].max(at[1]).max(at[2]);
-            libm::ceilf(least / self.spacing) as i32..=self.before(most)
         };
-        let inverse = 1.0 / area;
+        let Aabb { low, high } = Aabb::around(corners);
+        let range =
+            |axis: usize| libm::ceilf(low[axis] / self.spacing) as i32..=self.before(high[axis]);
         for row in range(1) {
             for column in range(0) {
-                let p = [column, row].map(|number| number as f32 * self.spacing);
-                let away = [p[0] - a[0], p[1] - a[1]];
-                let on_b = inverse * (away[0] * v[1] - away[1] * v[0]);
-                let on_c = inverse * (u[0] * away[1] - u[1] * away[0]);
-                if on_b >= 0.0 && on_c >= 0.0 && on_b + on_c <= 1.0 {
-                    let height = a[2] + on_b * (b[2] - a[2]) + on_c * (c[2] - a[2]);
+                let place = [column, row].map(|number| number as f32 * self.spacing);
+                if let Some(height) = triangle.height_at(place) {
                     visit([column, row], height);
                 }
             }
@@ -90,8 +82,8 @@ impl Relief {
     ) -> Relief {
         let lattice = Lattice { spacing };
         let x = points.as_chunks::<3>().0;
-        let [low, high] = bounds(points);
-        let sides = [0, 1, 2].map(|axis| high[axis] - low[axis]);
+        let bounds = Aabb::around(x.iter().copied());
+        let Aabb { low, high } = bounds;
         let mut relief = Relief {
             lattice,
             columns: 0,
@@ -102,7 +94,7 @@ impl Relief {
             highest: high[2],
             points: points.to_vec(),
         };
-        if !sides.iter().all(|side| *side <= longest) {
+        if !bounds.size().iter().all(|side| *side <= longest) {
             return relief;
         }
         let falling = bounded(high[2] - table, 0.0, longest) / (SLOPE * spacing);
@@ -143,16 +135,19 @@ impl Relief {
         self.points.len() != points.len() || pairs.any(|(a, b)| (a - b).abs() > SLIVER)
     }
 
-    /// Whether something between two corners, metres, lies over or beside it in plan.
-    pub fn is_near(&self, [low, high]: [[f32; 3]; 2]) -> bool {
+    /// Whether something in a box lies over or beside it in plan.
+    pub fn is_near(&self, bounds: &Aabb) -> bool {
         let spacing = self.lattice.spacing;
         let sides = [self.columns, self.rows];
-        sides.iter().all(|count| *count > 0)
-            && [0, 1].into_iter().all(|axis| {
-                let from = self.first[axis] as f32 * spacing;
-                let to = from + (sides[axis] - 1) as f32 * spacing;
-                low[axis] <= to && high[axis] >= from
-            })
+        sides.iter().all(|count| *count > 0) && {
+            let [from_x, from_y] = self.first.map(|first| first as f32 * spacing);
+            let [along_x, along_y] = sides.map(|count| (count - 1) as f32 * spacing);
+            let own = Aabb {
+                low: [from_x, from_y, 0.0],
+                high: [from_x + along_x, from_y + along_y, 0.0],
+            };
+            own.overlaps_in_plan(bounds)
+        }
     }
 
     /// Whether the paper itself lies under or over a place in plan.
@@ -247,18 +242,6 @@ impl Relief {
         let corners = [foot, foot + 1, head, head + 1].map(|node| heights[node]);
         Some((corners, [part(x, column), part(y, row)]))
     }
-}
-
-/// The least and the greatest coordinates of points.
-pub(super) fn bounds(points: &[f32]) -> [[f32; 3]; 2] {
-    let start = [[f32::INFINITY; 3], [f32::NEG_INFINITY; 3]];
-    let x = points.as_chunks::<3>().0.iter();
-    x.fold(start, |[low, high], x| {
-        let of = |edge: [f32; 3], pick: fn(f32, f32) -> f32| {
-            core::array::from_fn(|axis| pick(edge[axis], x[axis]))
-        };
-        [of(low, f32::min), of(high, f32::max)]
-    })
 }
 
 /// Heights with those of the nodes next to paper: its rim ends between nodes.

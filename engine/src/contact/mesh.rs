@@ -2,6 +2,7 @@
 //! place on it.
 
 use super::tolerance::BEYOND_RIM;
+use super::triangle::{area_normal, nearest_weights, place_of};
 use crate::models::sheet::CAN_CREASE;
 use crate::surface::Surface;
 use crate::vector::{cross, dot, sub, unit};
@@ -216,8 +217,8 @@ impl<'a> Mesh<'a> {
                 };
                 for corners in [[here, here + 1, last], [first, above + 1, above]] {
                     let at = corners.map(|node| self.points[node]);
-                    let parts = nearest_parts(point, at);
-                    let away = sub(point, place_at(parts, at));
+                    let parts = nearest_weights(point, at);
+                    let away = sub(point, place_of(parts, at));
                     let square = dot(away, away);
                     // Most are farther, and nothing more needs to be known of them.
                     if square < least * 1.0001 + 1e-14 {
@@ -240,8 +241,7 @@ impl<'a> Mesh<'a> {
 
     /// A facet of these corners as seen from a point that is `away` from the nearest place on it.
     fn see(&self, corners: [usize; 3], parts: [f32; 3], away: [f32; 3]) -> Seen {
-        let [a, b, c] = corners.map(|node| self.points[node]);
-        let mut normal = unit(cross(sub(b, a), sub(c, a)));
+        let mut normal = unit(area_normal(corners.map(|node| self.points[node])));
         if corners.iter().any(|node| self.is_turned_over(*node)) {
             normal = normal.map(|n| -n);
         }
@@ -304,51 +304,6 @@ pub struct Facet {
     pub normal: [f32; 3],
     /// Whether the point lies beyond the mesh's rim, so that it has no side.
     pub beyond: bool,
-}
-
-/// The parts of a triangle's corners of its place nearest to a point (Ericson,
-/// Real-Time Collision Detection, 2005, 5.1.5).
-fn nearest_parts(p: [f32; 3], [a, b, c]: [[f32; 3]; 3]) -> [f32; 3] {
-    let (ab, ac, ap) = (sub(b, a), sub(c, a), sub(p, a));
-    let (d1, d2) = (dot(ab, ap), dot(ac, ap));
-    if d1 <= 0.0 && d2 <= 0.0 {
-        return [1.0, 0.0, 0.0];
-    }
-    let bp = sub(p, b);
-    let (d3, d4) = (dot(ab, bp), dot(ac, bp));
-    if d3 >= 0.0 && d4 <= d3 {
-        return [0.0, 1.0, 0.0];
-    }
-    let cp = sub(p, c);
-    let (d5, d6) = (dot(ab, cp), dot(ac, cp));
-    if d6 >= 0.0 && d5 <= d6 {
-        return [0.0, 0.0, 1.0];
-    }
-    let along = |from: f32, to: f32| from / (from - to).max(1e-30);
-    let vc = d1 * d4 - d3 * d2;
-    if vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0 {
-        let t = along(d1, d3);
-        return [1.0 - t, t, 0.0];
-    }
-    let vb = d5 * d2 - d1 * d6;
-    if vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0 {
-        let t = along(d2, d6);
-        return [1.0 - t, 0.0, t];
-    }
-    let va = d3 * d6 - d5 * d4;
-    let (e, f) = (d4 - d3, d5 - d6);
-    if va <= 0.0 && e >= 0.0 && f >= 0.0 {
-        let t = e / (e + f).max(1e-30);
-        return [0.0, 1.0 - t, t];
-    }
-    let whole = 1.0 / (va + vb + vc).max(1e-30);
-    let (v, w) = (vb * whole, vc * whole);
-    [1.0 - v - w, v, w]
-}
-
-/// The place on a triangle that is made of these parts of its corners.
-fn place_at(parts: [f32; 3], [a, b, c]: [[f32; 3]; 3]) -> [f32; 3] {
-    core::array::from_fn(|i| parts[0] * a[i] + parts[1] * b[i] + parts[2] * c[i])
 }
 
 /// Tangents at a node of a grid, a cell long along u and along v.

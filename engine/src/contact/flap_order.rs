@@ -7,6 +7,7 @@
 //! such flaps one lies upon the other: the one that is farther up, as far as they are over each other.
 
 use super::mesh::Mesh;
+use super::triangle::PlanTriangle;
 use crate::vector::{dot, unit};
 
 /// Whether parts of a leaf lie upon those of a neighbour, by whether the part of the one and that of
@@ -78,7 +79,7 @@ struct Flap {
     /// The nodes that are folded over, and the triangles between these and creases: across the
     /// spine, along it, and up.
     nodes: Vec<[f32; 3]>,
-    triangles: Vec<[[f32; 3]; 3]>,
+    triangles: Vec<PlanTriangle>,
     /// From where to where it reaches across the spine.
     reach: [f32; 2],
 }
@@ -105,7 +106,7 @@ impl Flap {
                 [[here, here + 1, last], [first, above + 1, above]]
             })
             .filter(|corners| corners.iter().any(|node| leaf.is_turned_over(*node)))
-            .map(|corners| corners.map(seen))
+            .filter_map(|corners| PlanTriangle::of(corners.map(seen), 0.0))
             .collect();
         let nodes: Vec<_> = nodes.map(seen).collect();
         let reach = nodes
@@ -126,20 +127,8 @@ impl Flap {
         let near = { self.nodes.iter() }.filter(|[x, ..]| (low..=high).contains(x));
         let heights = near.flat_map(|node| {
             let triangles = other.triangles.iter();
-            triangles
-                .filter_map(|triangle| Some(node[2] - height_at(triangle, [node[0], node[1]])?))
+            triangles.filter_map(|triangle| Some(node[2] - triangle.height_at([node[0], node[1]])?))
         });
         heights.sum()
     }
-}
-
-/// The height of a triangle at a place, if it is there.
-fn height_at([a, b, c]: &[[f32; 3]; 3], [x, y]: [f32; 2]) -> Option<f32> {
-    let area = |p: [f32; 2], q: &[f32; 3], r: &[f32; 3]| {
-        (q[0] - p[0]) * (r[1] - p[1]) - (r[0] - p[0]) * (q[1] - p[1])
-    };
-    let parts = [area([x, y], b, c), area([x, y], c, a), area([x, y], a, b)];
-    let whole: f32 = parts.iter().sum();
-    let is_in = whole != 0.0 && parts.iter().all(|part| part * whole >= 0.0);
-    is_in.then(|| (parts[0] * a[2] + parts[1] * b[2] + parts[2] * c[2]) / whole)
 }

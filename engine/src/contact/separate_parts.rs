@@ -9,12 +9,13 @@
 //! Few points overlap anything. So the triangles are gathered in blocks, and only those points are
 //! looked at that are near a block of another part and not on their side of all its triangles.
 
-use super::flaps::{BESIDE, Flaps, add_facing, facing_of};
+use super::aabb::Aabb;
+use super::flaps::{Flaps, add_facing, facing_of};
 use super::tolerance::{NOT_UPON, OVER_PILE, SLACK};
-use super::triangle::Triangle;
+use super::triangle::{BESIDE, Triangle, area_normal};
 use super::work::Work;
 use crate::surface::Surface;
-use crate::vector::{cross, dot, sub, unit};
+use crate::vector::{dot, unit};
 use core::ops::Range;
 
 /// Rounds of projections, at most.
@@ -65,8 +66,7 @@ pub struct Block {
     pub own_points: Range<usize>,
     pub edges: Range<usize>,
     /// The box around them now.
-    low: [f32; 3],
-    high: [f32; 3],
+    bounds: Aabb,
     /// Where it lies between two planes; found where it is asked for.
     slab: Option<Slab>,
     /// The blocks that its points may overlap.
@@ -99,32 +99,19 @@ pub struct Slab {
 impl Block {
     /// Finds the box around its triangles.
     fn bound(&mut self, points: &[[f32; 3]], corners: &[usize]) {
-        (self.low, self.high) = ([f32::MAX; 3], [f32::MIN; 3]);
-        for node in &corners[self.corners.clone()] {
-            for axis in 0..3 {
-                // Compared by hand, as a library's least and most are slow.
-                let x = points[*node][axis];
-                let [low, high] = [self.low[axis], self.high[axis]];
-                self.low[axis] = if x < low { x } else { low };
-                self.high[axis] = if x > high { x } else { high };
-            }
-        }
+        let corners = corners[self.corners.clone()].iter();
+        self.bounds = Aabb::around(corners.map(|node| points[*node]));
         self.slab = None;
     }
 
-    fn is_near(&self, [low, high]: [[f32; 3]; 2], within: f32) -> bool {
-        (0..3).all(|axis| {
-            high[axis] > self.low[axis] - within && low[axis] < self.high[axis] + within
-        })
+    fn is_near(&self, bounds: &Aabb, within: f32) -> bool {
+        self.bounds.grown([within; 3]).overlaps(bounds)
     }
 }
 
 impl Slab {
     pub fn around(points: &[[f32; 3]], triangles: &[[usize; 3]]) -> Slab {
-        let normal_of = |corners: &[usize; 3]| {
-            let [a, b, c] = corners.map(|corner| points[corner]);
-            cross(sub(b, a), sub(c, a))
-        };
+        let normal_of = |corners: &[usize; 3]| area_normal(corners.map(|corner| points[corner]));
         let normals = triangles.iter().map(normal_of);
         let sum = normals.clone().fold([0.0; 3], |sum: [f32; 3], normal| {
             core::array::from_fn(|axis| sum[axis] + normal[axis])
@@ -170,13 +157,18 @@ impl Slab {
 
     /// How far a box is outside of it on a side, metres; less than 0 where it is not, or nothing
     /// is known by that.
-    pub fn distance(&self, [low, high]: [[f32; 3]; 2], side: f32) -> f32 {
+    pub fn distance(&self, bounds: &Aabb, side: f32) -> f32 {
         if !self.is_even {
             return f32::MIN;
         }
         let along = |axis: usize| {
             let normal = side * self.normal[axis];
-            normal * if normal > 0.0 { low[axis] } else { high[axis] }
+            let nearest = if normal > 0.0 {
+                bounds.low
+            } else {
+                bounds.high
+            };
+            normal * nearest[axis]
         };
         let nearest = along(0) + along(1) + along(2);
         nearest - if side > 0.0 { self.high } else { -self.low }
@@ -225,8 +217,7 @@ impl DrawnParts {
                     corners: 0..0,
                     own_points: 0..0,
                     edges: 0..0,
-                    low: [0.0; 3],
-                    high: [0.0; 3],
+                    bounds: Aabb::EMPTY,
                     slab: None,
                     pairs: 0..0,
                 }),
@@ -361,7 +352,8 @@ impl DrawnParts {
                 for pair in &self.pairs[self.blocks[home].pairs.clone()] {
                     let block = &self.blocks[pair.under];
                     work.spend(POINT);
-                    if !may_overlap(block, [points[node]; 2], pair.side, scale) {
+                    let place = Aabb::around([points[node]]);
+                    if !may_overlap(block, &place, pair.side, scale) {
                         continue;
                     }
                     work.spend(TRIANGLE * block.triangles.len() as u32);
@@ -417,14 +409,12 @@ impl DrawnParts {
         let facing = self.facing(points);
         self.pairs.clear();
         for home in 0..self.blocks.len() {
-            let Block {
-                part, low, high, ..
-            } = self.blocks[home];
+            let Block { part, bounds, .. } = self.blocks[home];
             let start = self.pairs.len();
             for (under, block) in self.blocks.iter_mut().enumerate() {
                 if block.part == part
                     || !(has_moved[home] || has_moved[under])
-                    || !block.is_near([low, high], NOT_UPON * scale)
+                    || !block.is_near(&bounds, NOT_UPON * scale)
                 {
                     continue;
                 }
@@ -436,7 +426,7 @@ impl DrawnParts {
                 block
                     .slab
                     .get_or_insert_with(|| Slab::around(points, triangles));
-                if may_overlap(block, [low, high], side, scale) {
+                if may_overlap(block, &bounds, side, scale) {
                     self.pairs.push(Pair { under, side });
                 }
             }
@@ -453,8 +443,8 @@ impl DrawnParts {
         }
         for block in &self.blocks {
             for corners in &self.triangles[block.triangles.clone()] {
-                let [a, b, c] = corners.map(|corner| points[corner]);
-                add_facing(&mut found, block.part, cross(sub(b, a), sub(c, a)));
+                let normal = area_normal(corners.map(|corner| points[corner]));
+                add_facing(&mut found, block.part, normal);
             }
         }
         found
@@ -487,16 +477,16 @@ impl DrawnParts {
 }
 
 /// Whether anything in a box may be too low over triangles of a block, or in them.
-fn may_overlap(block: &Block, bounds: [[f32; 3]; 2], side: f32, scale: f32) -> bool {
-    let [low, high] = bounds;
+fn may_overlap(block: &Block, bounds: &Aabb, side: f32, scale: f32) -> bool {
     let is_clear = |slab: &Slab| {
-        let is_beside = (0..3).any(|i| {
+        let size = block.bounds.size();
+        let within = core::array::from_fn(|i| {
             // A corner's weight is up to twice as much beyond 1 as the others' are below 0.
-            let beyond = 2.0 * BESIDE * (block.high[i] - block.low[i]);
-            let within = NOT_UPON * scale * slab.lean[i] + OVER_PILE * scale + beyond;
-            low[i] > block.high[i] + within || high[i] < block.low[i] - within
+            let beyond = 2.0 * BESIDE * size[i];
+            NOT_UPON * scale * slab.lean[i] + OVER_PILE * scale + beyond
         });
-        is_beside || slab.distance(bounds, side) > (OVER_PILE - SLACK) * scale
+        !block.bounds.grown(within).overlaps(bounds)
+            || slab.distance(bounds, side) > (OVER_PILE - SLACK) * scale
     };
     block.is_near(bounds, NOT_UPON * scale) && !block.slab.as_ref().is_some_and(is_clear)
 }
@@ -524,7 +514,7 @@ fn overlap(
 }
 
 #[cfg(test)]
-pub(super) mod tests {
+pub mod tests {
     use super::*;
 
     const COLUMNS: usize = 9;
