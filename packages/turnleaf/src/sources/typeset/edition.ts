@@ -12,9 +12,12 @@ import type { SectionContents } from "./section_contents.ts";
 /** Frames kept, so that neighbouring pages are drawn without laying out again. */
 const keptFrames = 4;
 
-/** Pages that are laid out before the first estimate, and in how many pieces at most: about as much as one long chapter. */
-const sampledPages = 20;
-const mostSamples = 7;
+/**
+ * Pieces that are laid out before the first estimate, at the half, the quarters and the eighths of the
+ * text, and the characters of each: some 13 pages, and all together less than a long chapter.
+ */
+const samples = 7;
+const sampleLength = 20_000;
 
 /** Editions so far, of all books. */
 let made = 0;
@@ -78,15 +81,16 @@ export class Edition {
   /**
    * Lays out pieces of the text here and there, from which the numbers of pages can be estimated.
    * What cannot be laid out is left out.
+   *
+   * @param laid called after each
    */
-  async sample(): Promise<void> {
-    let extent = 0;
-    for (const section of this.#lengths.spread.slice(0, mostSamples)) {
-      if (this.#isClosed || extent >= sampledPages) return;
+  async sample(laid: () => void): Promise<void> {
+    for (const section of this.#lengths.spread.slice(0, samples)) {
       const sample = await this.#sampleOf(section).catch(() => null);
+      if (this.#isClosed) return;
       if (sample === null) continue;
       this.#samples.set(section, sample);
-      extent += sample.extent;
+      laid();
     }
   }
 
@@ -94,7 +98,7 @@ export class Edition {
   async #sampleOf(section: number): Promise<LaidSample> {
     const content = await this.#contents.load(section, false);
     const isScrolled = this.#book.sections[section]?.roll !== undefined;
-    const pieces = isScrolled ? [content.root] : divide(content.root);
+    const pieces = isScrolled ? [content.root] : divide(content.root, sampleLength);
     const root = pieces[pieces.length >> 1] as Element;
     const laid = await LaidSection.lay({ ...content, root }, this.typography, isScrolled);
     laid.close();
