@@ -30,17 +30,13 @@ export const pieceStyle: string = `
 li.${continuedClass} { list-style: none !important; }
 `;
 
-/**
- * Returns a chapter's root, or copies of it each of which has a bounded part of its content, in order.
- *
- * @param longest characters of a piece
- */
-export function divide(root: Element, longest: number = longestPiece): readonly Element[] {
+/** Returns a chapter's root, or copies of it each of which has a bounded part of its content, in order. */
+export function divide(root: Element): readonly Element[] {
   const body = root.querySelector("body");
   if (body === null) return [root];
   const lengths = new Map<Node, number>();
-  if (lengthOf(body, lengths) <= longest) return [root];
-  const divider = new Divider(lengths, longest, root, body);
+  if (lengthOf(body, lengths) <= longestPiece) return [root];
+  const divider = new Divider(lengths, root, body);
   divider.divide(body);
   return divider.pieces;
 }
@@ -57,14 +53,12 @@ function lengthOf(node: Node, lengths: Map<Node, number>): number {
 class Divider {
   readonly pieces: Element[] = [];
   readonly #lengths: ReadonlyMap<Node, number>;
-  readonly #longest: number;
   /** The elements that are being divided, outermost first, and their copies in the last piece. */
   readonly #open: { readonly source: Element; copy: Element }[] = [];
   #length = 0;
 
-  constructor(lengths: ReadonlyMap<Node, number>, longest: number, root: Element, body: Element) {
+  constructor(lengths: ReadonlyMap<Node, number>, root: Element, body: Element) {
     this.#lengths = lengths;
-    this.#longest = longest;
     for (const source of [root, body]) {
       this.#open.push({ source, copy: source.cloneNode() as Element });
     }
@@ -75,8 +69,8 @@ class Divider {
   divide(container: Element): void {
     for (const child of container.childNodes) {
       const length = this.#lengths.get(child) ?? child.nodeValue?.length ?? 0;
-      if (length > this.#longest && child instanceof Text) this.#divideText(child);
-      else if (length > this.#longest && child instanceof Element && !whole.test(child.localName)) {
+      if (length > longestPiece && child instanceof Text) this.#divideText(child);
+      else if (length > longestPiece && child instanceof Element && !whole.test(child.localName)) {
         if (beginning.test(child.localName) && this.#isHalf) this.#begin(child);
         const copy = child.cloneNode() as Element;
         this.#append(copy, elementLength);
@@ -84,7 +78,7 @@ class Divider {
         this.divide(child);
         this.#open.pop();
       } else {
-        const isFull = this.#length > 0 && this.#length + length > this.#longest;
+        const isFull = this.#length > 0 && this.#length + length > longestPiece;
         const isHead = child instanceof Element && beginning.test(child.localName);
         if (isFull || (isHead && this.#isHalf)) this.#begin(child);
         this.#append(child.cloneNode(true), length);
@@ -93,7 +87,7 @@ class Divider {
   }
 
   get #isHalf(): boolean {
-    return this.#length > this.#longest / 2;
+    return this.#length > longestPiece / 2;
   }
 
   #append(node: Node, length: number): void {
@@ -105,8 +99,8 @@ class Divider {
   #divideText(text: Text): void {
     const { data } = text;
     for (let from = 0; from < data.length; ) {
-      if (this.#length >= this.#longest) this.#begin(text);
-      const most = from + this.#longest;
+      if (this.#length >= longestPiece) this.#begin(text);
+      const most = from + longestPiece;
       const space = data.lastIndexOf(" ", most);
       let to = most >= data.length ? data.length : space > from ? space + 1 : most;
       // Not between the halves of a character.

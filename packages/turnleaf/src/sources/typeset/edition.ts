@@ -12,12 +12,8 @@ import type { SectionContents } from "./section_contents.ts";
 /** Frames kept, so that neighbouring pages are drawn without laying out again. */
 const keptFrames = 4;
 
-/**
- * Pieces that are laid out before the first estimate, at the half, the quarters and the eighths of the
- * text, and the characters of each: some 13 pages, and all together less than a long chapter.
- */
+/** Pieces that are laid out before the last of the first estimates: at the half, the quarters and the eighths of the text. */
 const samples = 7;
-const sampleLength = 20_000;
 
 /** Editions so far, of all books. */
 let made = 0;
@@ -98,7 +94,7 @@ export class Edition {
   async #sampleOf(section: number): Promise<LaidSample> {
     const content = await this.#contents.load(section, false);
     const isScrolled = this.#book.sections[section]?.roll !== undefined;
-    const pieces = isScrolled ? [content.root] : divide(content.root, sampleLength);
+    const pieces = isScrolled ? [content.root] : divide(content.root);
     const root = pieces[pieces.length >> 1] as Element;
     const laid = await LaidSection.lay({ ...content, root }, this.typography, isScrolled);
     laid.close();
