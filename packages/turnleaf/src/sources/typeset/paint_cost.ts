@@ -25,8 +25,14 @@ const effects =
 
 const svg = "http://www.w3.org/2000/svg";
 
+/** The region of what may reach over all of a page. */
+const unbounded = Number.POSITIVE_INFINITY;
+
+/** Arguments of a function, such as a colour's. */
+const functionArguments = /\([^()]*\)/g;
+
 /** A number of CSS pixels. */
-const pixels = /(-?[\d.]+)px/g;
+const pixels = /(\d{1,9}(?:\.\d{1,9})?)px/g;
 
 /**
  * Returns the nanoseconds of a pixel on the page of a section that takes most, on average.
@@ -53,7 +59,9 @@ export function paintingOf(
     const paint = paintOf(element, style);
     const spread = spreadOf(style);
     const layers = layersOf(element, style);
-    const isGroup = element.childElementCount > 0;
+    // What is in a layer may reach farther than its box, but that of a drawing's part.
+    const isOpen = element.childElementCount > 0 && element.namespaceURI !== svg;
+    const region = isOpen ? unbounded : regionOf(element, style);
     const rects = [...element.getClientRects()];
     if (rects.length === 0) continue;
     for (const rect of rects.slice(0, mostRects)) {
@@ -61,8 +69,8 @@ export function paintingOf(
       const width = Math.min(rect.width + 2 * spread, size.width);
       const height = Math.min(rect.height + 2 * spread, size.height);
       const fraction = (width * height) / (size.width * size.height);
-      // What is in a layer may reach farther than its box.
-      const cost = paint * fraction + layers * (isGroup ? 1 : fraction);
+      const cost =
+        paint * fraction + layers * (region < unbounded ? Math.min(region * fraction, 1) : 1);
       const sum = (taken.get(page) ?? 0) + cost;
       taken.set(page, sum);
       most = Math.max(most, sum);
@@ -126,12 +134,30 @@ export function stepsOf(filter: Element): number {
   }, 0);
 }
 
+/** Returns how much larger than an element's box the region is on which its filter works. */
+function regionOf(element: Element, { filter }: CSSStyleDeclaration): number {
+  const named = filterNamed(filter, element);
+  if (named === null) return 1;
+  if (named.getAttribute("filterUnits") === "userSpaceOnUse") return unbounded;
+  const side = (name: string): number => {
+    const value = named.getAttribute(name) ?? "120%";
+    return (Number.parseFloat(value) || 1) / (value.includes("%") ? 100 : 1);
+  };
+  return side("width") * side("height");
+}
+
+/** Returns the filter of SVG that a value names; null if there is none. */
+function filterNamed(filter: string, { ownerDocument }: Element): Element | null {
+  const id = /url\("?#([^")]{1,200})/.exec(filter)?.[1];
+  return id === undefined ? null : ownerDocument.getElementById(id);
+}
+
 /** Returns the steps of a filter, of CSS or SVG. */
 function stepsIn(filter: string, element: Element): number {
   if (filter === "none" || filter === "") return 0;
-  const id = /url\("?#([^")]*)"?\)/.exec(filter)?.[1];
-  const named = id === undefined ? null : element.ownerDocument.getElementById(id);
-  return (named ? stepsOf(named) : 0) + (filter.match(/\b[a-z-]+\((?!"?#)/g)?.length ?? 0);
+  const named = filterNamed(filter, element);
+  const functions = filter.split("(").length - 1 - (filter.split("url(").length - 1);
+  return functions + (named ? stepsOf(named) : 0);
 }
 
 /** Returns what a pixel of images takes. */
@@ -150,8 +176,9 @@ function tilesOf(size: string): number {
   return Math.max(smallTile / (width * height), 1);
 }
 
+/** Returns how many shadows a value has. */
 function shadowsIn(value: string): number {
-  return value === "none" ? 0 : (value.match(/-?[\d.]+px -?[\d.]+px/g)?.length ?? 0) || 1;
+  return value === "none" ? 0 : value.replace(functionArguments, "").split(",").length;
 }
 
 /** Returns how far the shadows of an element reach beyond it, CSS pixels. */
