@@ -3,6 +3,7 @@
  * read, closed.
  */
 
+import { attributeOf } from "../attributes.ts";
 import { leftPage, rightPage } from "../book/spreads.ts";
 import type { ElementPlane } from "../element_plane.ts";
 import { Input } from "../input/input.ts";
@@ -21,7 +22,7 @@ import type { NewIndex, OutlineEntry, PageSource, Typography } from "../sources/
 import type { SearchHit } from "../text/searching.ts";
 import type { Viewer, ViewerOptions } from "../viewer/viewer.ts";
 import { elementTexts, fill, languageOf } from "../words/languages.ts";
-import { allowsGesture, swipeDistanceOf } from "./attributes.ts";
+import { allowsGesture } from "./attribute_options.ts";
 import type { BookTextOverlay, TextTarget } from "./book_text_overlay.ts";
 import type { LivePages } from "./live_pages.ts";
 import { pageTap } from "./page_tap.ts";
@@ -480,7 +481,7 @@ export class OpenBook {
     this.roll = roll;
     elements.follow(viewer);
     const allows = (gesture: Gesture): boolean => allowsGesture(element, gesture);
-    const swipeDistance = (): number => swipeDistanceOf(element);
+    const swipeDistance = (): number => attributeOf(element, "swipeDistance");
     this.#input = new Input(canvas, stage, element, {
       ...{ viewer, plane, turn, announceZoom, calm, allows, swipeDistance },
       columnAt: (page, at) => this.reading.columnAt(page, at),

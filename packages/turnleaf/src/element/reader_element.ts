@@ -21,7 +21,7 @@ import {
 } from "../sources/page_source.ts";
 import type { SearchHit } from "../text/searching.ts";
 import { languageOf } from "../words/languages.ts";
-import { bindingOptionsOf } from "./attributes.ts";
+import { bindingOptionsOf } from "./attribute_options.ts";
 import type { OpenBook } from "./book_lifecycle.ts";
 import type { WarningDetail } from "./events.ts";
 import { failureDetail, warningDetail } from "./failure_detail.ts";
