@@ -21,10 +21,11 @@ import {
 import type { BookState } from "./book/turning.ts";
 import { ControlsLoader } from "./controls/controls_loader.ts";
 import { bindingOptionsOf, paperOf, turnSecondsOf } from "./element/attribute_options.ts";
-import { BookLifecycle, type OpenBook, pdfWorkerOf } from "./element/book_lifecycle.ts";
+import { BookLifecycle, pdfWorkerOf } from "./element/book_lifecycle.ts";
 import type { TurnDetail } from "./element/events.ts";
 import { failureDetail, sentenceOf } from "./element/failure_detail.ts";
 import { placeOf } from "./element/fold_lists.ts";
+import type { OpenBook } from "./element/open_book.ts";
 import type { PageChanges } from "./element/page_changes.ts";
 import { layoutLists, type PageLists } from "./element/page_lists.ts";
 import { pageNumber, RequestedPage } from "./element/page_numbers.ts";
