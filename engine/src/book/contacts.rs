@@ -11,7 +11,7 @@ use crate::contact::flaps::{Flaps, PARTS};
 use crate::contact::tolerance::{
     APART, BETWEEN_NODES, CURLED, DEEPEST, FAR, GAP, LEAP, PAST_RIM, PUSHED_AT_ONCE,
 };
-use crate::models::sheet::{CAN_CREASE, CONTACTS, Contact};
+use crate::models::sheet::{CONTACTS, Contact};
 use crate::vector::{dot, sub};
 
 /// Steps from a node to the other end of what lies between: edges and diagonals.
@@ -228,7 +228,7 @@ pub fn detect_self_contacts(
             contacts[slot] = Contact::default();
         }
     }
-    if let (true, Some(flaps)) = (CAN_CREASE, flaps) {
+    if let Some(flaps) = flaps {
         detect_flap_contacts(leaf, flaps, sheet);
         return;
     }
