@@ -2,8 +2,8 @@
 
 /// A value that only creased paper has. Without the feature `creases` there is never one: the
 /// compiler then leaves out whatever would be done with it, and the file that a page loads for a
-/// book of whole leaves is a third of the other. It is the one place that asks for the feature
-/// where paper moves.
+/// book of whole leaves is a third of the other. Beside this only the steps of a sheet's solver ask
+/// for the feature.
 #[derive(Clone, Copy, Debug)]
 pub struct CreasedOnly<T>(Option<T>);
 
