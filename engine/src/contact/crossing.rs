@@ -5,9 +5,9 @@
 
 use super::aabb::Aabb;
 use super::mesh::Mesh;
-use super::triangle::area_normal;
 use super::work::Work;
 use crate::models::sheet::CAN_CREASE;
+use crate::triangle::area_normal;
 use crate::vector::{cross, dot, sub};
 
 /// Cells along a side of a tile that one box bounds, and points along it.

@@ -7,8 +7,8 @@
 
 use super::aabb::Aabb;
 use super::tolerance::SLIVER;
-use super::triangle::PlanTriangle;
 use crate::real::bounded;
+use crate::triangle::PlanTriangle;
 
 /// How steeply heights fall off at most, as a sheet drapes over a rim.
 const SLOPE: f32 = 1.0;
