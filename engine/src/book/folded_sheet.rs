@@ -33,7 +33,7 @@ impl FoldedSheet {
 
     /// Finds what parts of the sheet, the one that this is of, touch of each other.
     pub fn keep_apart(&self, sheet: &mut Sheet) {
-        self.flaps.touch(sheet);
+        self.flaps.touch(sheet, 1);
     }
 
     /// Moves the drawn parts off each other, of a page `width` metres wide.

@@ -349,7 +349,7 @@ impl Leaf {
     ) {
         self.searches += 1;
         if let (true, true, Some(flaps)) = (CAN_CREASE, itself, &self.flaps) {
-            flaps.touch(&mut self.sheet);
+            flaps.touch(&mut self.sheet, self.steps);
         }
         let friction = self.sheet.settings().stock.friction as f32;
         let (flat, contacts) = self.sheet.contact_state();

@@ -3,6 +3,7 @@
 use super::tolerance::{CURLED, DEEPEST, GAP};
 use crate::models::sheet::{Sheet, Touching};
 use crate::triangle::{BESIDE, area_normal};
+use crate::turn::TurnModel;
 use crate::vector::{dot, sub, unit};
 
 /// How much longer than at rest a triangle's sides may be, and what lies over it still be found.
@@ -18,7 +19,7 @@ struct PartTriangle {
     nodes: [usize; 3],
     /// A set of bits, one for each crease that it lies beyond.
     part: u16,
-    /// How far from its first node something may be that touches it, metres, squared.
+    /// How far from its first node something may be that touches it, metres.
     reach: f32,
 }
 
@@ -69,8 +70,7 @@ impl Flaps {
             let [a, b, c] = nodes.map(|node| places[node]);
             let side = |way: [f32; 3]| dot(way, way).sqrt();
             let longest = side(sub(b, a)).max(side(sub(c, a)));
-            let over = (1.0 + 2.0 * BESIDE) * STRETCHED * longest + CURLED + PARTS_GAP;
-            over * over
+            (1.0 + 2.0 * BESIDE) * STRETCHED * longest + CURLED + PARTS_GAP
         };
         let mut across = Vec::new();
         for (number, (corners, part)) in triangles.iter().enumerate() {
@@ -247,10 +247,13 @@ impl Flaps {
         found
     }
 
-    /// Has parts of a sheet, the one that these are of, kept off each other in its next steps.
-    pub fn touch(&self, sheet: &mut Sheet) {
+    /// Has parts of a sheet, the one that these are of, kept off each other in its next
+    /// so many steps.
+    pub fn touch(&self, sheet: &mut Sheet, steps: u32) {
+        let seconds = steps as f32 * sheet.time_step();
         let points = sheet.positions().as_chunks::<3>().0;
-        sheet.touch(self.touching(points));
+        let velocities = sheet.velocities().as_chunks::<3>().0;
+        sheet.touch(self.touching(points, velocities, seconds));
     }
 
     /// The side of a drawn triangle's part on which another part lies, 1 for that of its normal or
@@ -264,7 +267,12 @@ impl Flaps {
     /// Finds where nodes of the leaf are over triangles of other parts of it, or in them: for
     /// each node and each other part at most one. A flap stays on the side to which its crease
     /// folds it.
-    fn touching(&self, points: &[[f32; 3]]) -> Vec<Touching> {
+    fn touching(
+        &self,
+        points: &[[f32; 3]],
+        velocities: &[[f32; 3]],
+        seconds: f32,
+    ) -> Vec<Touching> {
         let mut found: Vec<(Touching, u16, f32)> = Vec::new();
         let facing = self.facing(points);
         for (node, part) in self.parts.iter().enumerate() {
@@ -274,7 +282,10 @@ impl Flaps {
             let faces = facing_of(&facing, part);
             for other in &self.triangles {
                 let away = sub(point, points[other.nodes[0]]);
-                if other.part == part || dot(away, away) > other.reach {
+                let speed = sub(velocities[node], velocities[other.nodes[0]]);
+                let nearer = seconds * dot(speed, speed).sqrt();
+                let reach = other.reach + nearer;
+                if other.part == part || dot(away, away) > reach * reach {
                     continue;
                 }
                 let is_alike = dot(faces, facing_of(&facing, other.part)) > 0.0;
@@ -287,7 +298,7 @@ impl Flaps {
                     distance: PARTS_GAP,
                     left: 0.0,
                 };
-                let near = PARTS_GAP - deepest..=PARTS_GAP + CURLED;
+                let near = PARTS_GAP - deepest..=PARTS_GAP + CURLED + nearer;
                 let Some([_, gap]) = touching
                     .height_and_gap(|node| points[node])
                     .filter(|[height, _]| near.contains(height))

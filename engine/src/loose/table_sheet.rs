@@ -181,6 +181,6 @@ impl TableSheet {
     /// Finds what parts of it touch of each other.
     fn keep_apart(&mut self) {
         let Some(flaps) = &self.flaps else { return };
-        flaps.touch(&mut self.sheet);
+        flaps.touch(&mut self.sheet, 1);
     }
 }
