@@ -49,8 +49,8 @@ const apart = [
   part("reads PDF", 1650, "pdf pdf.*.min.mjs cmaps jbig2.wasm openjpeg.wasm Foxit*.pfb"),
   part(
     "reads other formats",
-    // Alignment, division of words, running heads and folios; tables that are turned, switches; XZ.
-    241,
+    // Alignment, division of words, running heads and folios; tables that are turned and split, switches; XZ.
+    243,
     "budget clean_markup comic data_url epub fb2 font_type html_pages iiif_source kindle media_overlays names package_document packed_file parse_markup svg text_book unpacked_archive unpacker unpacker_worker.ts writing_direction xml_text zip",
   ),
   part("decodes TIFF and JPEG 2000", 60, "rare_images rare_size tiff_pages decoder_worker.ts"),

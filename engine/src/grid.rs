@@ -29,6 +29,23 @@ impl Side {
     }
 }
 
+/// The feet at the spine of the cells of a grid, each cell's first node, row by row.
+pub(crate) fn cells(columns: usize, rows: usize) -> impl Iterator<Item = usize> {
+    (0..columns * (rows - 1)).filter(move |node| node % columns + 1 < columns)
+}
+
+/// The two triangles of the cell of a foot, cut along the diagonal that begins there, or if
+/// `is_falling` along the other. Their corners go around as u to v does.
+#[inline]
+pub(crate) fn cut_cell(foot: usize, columns: usize, is_falling: bool) -> [[usize; 3]; 2] {
+    let head = foot + columns;
+    if is_falling {
+        [[foot, foot + 1, head], [foot + 1, head + 1, head]]
+    } else {
+        [[foot, foot + 1, head + 1], [foot, head + 1, head]]
+    }
+}
+
 /// Numbers of nodes and the size of the leaf that they cover, evenly spaced.
 ///
 /// Arrays over the grid hold it row by row from the foot, each row from the

@@ -36,8 +36,10 @@ impl Triangle {
     pub fn of([a, b, c]: [[f32; 3]; 3], side: f32) -> Triangle {
         let (u, v) = (sub(b, a), sub(c, a));
         let across = cross(u, v);
-        let square = dot(across, across).max(f32::MIN_POSITIVE);
-        let [inverse, over] = [side / square.sqrt(), 1.0 / square];
+        let square = dot(across, across);
+        let inverse = side / square.max(f32::MIN_POSITIVE).sqrt();
+        // Of no area the weights are no numbers, and none of them is great enough.
+        let over = 1.0 / square;
         Triangle {
             from: a,
             normal: across.map(|x| x * inverse),
@@ -277,5 +279,6 @@ mod tests {
     fn nothing_lies_over_one_without_an_area() {
         let triangle = Triangle::of([[0.0; 3], [0.01, 0.0, 0.0], [0.02, 0.0, 0.0]], 1.0);
         assert_eq!(triangle.normal, [0.0; 3]);
+        assert!(triangle.weights_over([0.005, 0.0, 0.001]).is_none());
     }
 }

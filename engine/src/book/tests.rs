@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::contact::aabb::Aabb;
+use crate::grid::{cells, cut_cell};
 use crate::random::{Random, for_seeds};
 use crate::triangle::area_normal;
 use crate::vector::{cross, dot, sub};
@@ -415,12 +416,9 @@ fn an_ordinary_drag_beside_others_is_drawn_where_the_paper_is() {
 fn is_drawn_through(left: &Surface, right: &Surface) -> bool {
     let facets = |surface: &Surface| -> Vec<[usize; 3]> {
         let columns = surface.columns;
-        let cells = (0..columns * (surface.rows - 1)).filter(|node| node % columns + 1 < columns);
+        let cells = cells(columns, surface.rows);
         cells
-            .flat_map(|node| {
-                let above = node + columns;
-                [[node, node + 1, above + 1], [node, above + 1, above]]
-            })
+            .flat_map(|foot| cut_cell(foot, columns, false))
             .collect()
     };
     let is_same = core::ptr::eq(left, right);

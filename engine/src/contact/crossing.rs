@@ -6,15 +6,16 @@
 use super::aabb::Aabb;
 use super::mesh::Mesh;
 use super::work::Work;
+use crate::grid::cut_cell;
 use crate::models::sheet::CAN_CREASE;
-use crate::triangle::area_normal;
-use crate::vector::{cross, dot, sub};
+use crate::triangle::{Triangle, area_normal};
+use crate::vector::{dot, sub};
 
 /// Cells along a side of a tile that one box bounds, and points along it.
 const TILE: usize = 3;
 const SIDE: usize = TILE + 1;
 
-/// Part of a facet's size by which an edge may miss it and still goes through it:
+/// Part of a facet's size by which an edge may miss it and still go through it:
 /// rounding leaves no gap between facets.
 const SEAM: f32 = 1e-4;
 
@@ -235,14 +236,8 @@ impl Tile {
         (0..2 * TILE * TILE).map(move |number| {
             let cell = number / 2;
             let here = cell / TILE * SIDE + cell % TILE;
-            let above = here + SIDE;
             let is_falling = CAN_CREASE && falling >> here & 1 == 1;
-            match (number % 2, is_falling) {
-                (0, false) => [here, here + 1, above + 1],
-                (0, true) => [here, here + 1, above],
-                (_, false) => [here, above + 1, above],
-                (_, true) => [here + 1, above + 1, above],
-            }
+            cut_cell(here, SIDE, is_falling)[number % 2]
         })
     }
 
@@ -308,6 +303,7 @@ impl Tile {
         if low >= -tolerance || high <= tolerance {
             return false;
         }
+        let triangle = Triangle::of(facet, 1.0);
         (0..SIDE * SIDE).any(|k| {
             let (right, up) = (k % SIDE < TILE, k / SIDE < TILE);
             let is_falling = CAN_CREASE && self.falling >> k & 1 == 1;
@@ -332,7 +328,10 @@ impl Tile {
                     (h / (h - g)).clamp(0.0, 1.0)
                 };
                 let place = core::array::from_fn(|i| p[i] + at * (q[i] - p[i]));
-                holds(facet, normal, place)
+                triangle
+                    .weights(place)
+                    .iter()
+                    .all(|weight| *weight >= -SEAM)
             })
         })
     }
@@ -342,14 +341,6 @@ impl Tile {
 #[inline(never)]
 fn heights([x, y, z]: &[[f32; SIDE * SIDE]; 3], n: Point, from: f32) -> [f32; SIDE * SIDE] {
     core::array::from_fn(|k| n[0] * x[k] + n[1] * y[k] + n[2] * z[k] - from)
-}
-
-/// Whether a place in the plane of a facet lies in it.
-#[inline(never)]
-fn holds([a, b, c]: [Point; 3], normal: Point, place: Point) -> bool {
-    let seam = -SEAM * dot(normal, normal);
-    let inside = |p: Point, q: Point| dot(normal, cross(sub(q, p), sub(place, p))) >= seam;
-    inside(a, b) && inside(b, c) && inside(c, a)
 }
 
 #[cfg(test)]
@@ -418,7 +409,9 @@ mod tests {
                     let [h, g] = [p, q].map(|end| dot(normal, sub(end, facet[0])) / length);
                     let way = h / (h - g);
                     let place = core::array::from_fn(|i| p[i] + way * (q[i] - p[i]));
-                    h.min(g) < -tolerance && h.max(g) > tolerance && holds(facet, normal, place)
+                    let weights = Triangle::of(facet, 1.0).weights(place);
+                    let is_in = weights.iter().all(|weight| *weight >= -SEAM);
+                    is_in && h.min(g) < -tolerance && h.max(g) > tolerance
                 })
             })
         };

@@ -7,6 +7,7 @@
 //! such flaps one lies upon the other: the one that is farther up, as far as they are over each other.
 
 use super::mesh::Mesh;
+use crate::grid::{cells, cut_cell};
 use crate::triangle::PlanTriangle;
 use crate::vector::{dot, unit};
 
@@ -91,20 +92,8 @@ impl Flap {
             [x * up[2] - z * up[0], y, x * up[0] + z * up[2]]
         };
         let nodes = (0..leaf.points.len()).filter(|node| leaf.is_turned_over(*node));
-        let is_cell = |node: &usize| {
-            !(node + 1).is_multiple_of(leaf.columns) && node + leaf.columns < leaf.points.len()
-        };
-        let triangles = (0..leaf.points.len())
-            .filter(is_cell)
-            .flat_map(|here| {
-                let above = here + leaf.columns;
-                let [last, first] = if leaf.folds.is_falling(here) {
-                    [above, here + 1]
-                } else {
-                    [above + 1, here]
-                };
-                [[here, here + 1, last], [first, above + 1, above]]
-            })
+        let triangles = cells(leaf.columns, leaf.rows())
+            .flat_map(|foot| cut_cell(foot, leaf.columns, leaf.folds.is_falling(foot)))
             .filter(|corners| corners.iter().any(|node| leaf.is_turned_over(*node)))
             .filter_map(|corners| PlanTriangle::of(corners.map(seen), 0.0))
             .collect();

@@ -2,6 +2,7 @@
 //! place on it.
 
 use super::tolerance::BEYOND_RIM;
+use crate::grid::cut_cell;
 use crate::models::sheet::CAN_CREASE;
 use crate::surface::Surface;
 use crate::triangle::{area_normal, nearest_weights, place_of};
@@ -109,7 +110,7 @@ impl<'a> Mesh<'a> {
         CAN_CREASE && self.folds.turned_over.get(node) == Some(&true)
     }
 
-    fn rows(&self) -> usize {
+    pub fn rows(&self) -> usize {
         self.points.len() / self.columns
     }
 
@@ -209,13 +210,7 @@ impl<'a> Mesh<'a> {
         for row in cells(v, node / self.columns, self.rows()) {
             for column in cells(u, node % self.columns, self.columns) {
                 let here = row * self.columns + column;
-                let above = here + self.columns;
-                let [last, first] = if self.folds.is_falling(here) {
-                    [above, here + 1]
-                } else {
-                    [above + 1, here]
-                };
-                for corners in [[here, here + 1, last], [first, above + 1, above]] {
+                for corners in cut_cell(here, self.columns, self.folds.is_falling(here)) {
                     let at = corners.map(|node| self.points[node]);
                     let parts = nearest_weights(point, at);
                     let away = sub(point, place_of(parts, at));

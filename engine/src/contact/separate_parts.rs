@@ -13,6 +13,7 @@ use super::aabb::Aabb;
 use super::flaps::{Flaps, add_facing, facing_of};
 use super::tolerance::{NOT_UPON, OVER_PILE, SLACK};
 use super::work::Work;
+use crate::grid::{cells, cut_cell};
 use crate::surface::Surface;
 use crate::triangle::{BESIDE, Triangle, area_normal};
 use crate::vector::{dot, unit};
@@ -284,13 +285,8 @@ impl DrawnParts {
 
     /// The one part of a whole leaf's mesh of so many columns and rows.
     pub fn whole(columns: usize, rows: usize) -> DrawnParts {
-        let cells = (0..(rows - 1) * columns).filter(|cell| cell % columns + 1 < columns);
-        let triangles: Vec<_> = cells
-            .flat_map(|here| {
-                let above = here + columns;
-                [[here, here + 1, above + 1], [here, above + 1, above]].map(|corners| (corners, 0))
-            })
-            .collect();
+        let triangles = cells(columns, rows).flat_map(|foot| cut_cell(foot, columns, false));
+        let triangles: Vec<_> = triangles.map(|corners| (corners, 0)).collect();
         DrawnParts::new(columns, columns * rows, &triangles)
     }
 
@@ -531,16 +527,11 @@ pub mod tests {
                 _ => [0.04 - (column - 4) as f32 * 0.01 + 0.005, y, over],
             }
         });
-        let mut triangles = Vec::new();
-        for row in 0..ROWS - 1 {
-            for column in 0..COLUMNS - 1 {
-                let here = row * COLUMNS + column;
-                let above = here + COLUMNS;
-                let part = u16::from(column >= 4);
-                triangles.push(([here, here + 1, above + 1], part));
-                triangles.push(([here, above + 1, above], part));
-            }
-        }
+        let triangles = cells(COLUMNS, ROWS).flat_map(|foot| {
+            let part = u16::from(foot % COLUMNS >= 4);
+            cut_cell(foot, COLUMNS, false).map(|corners| (corners, part))
+        });
+        let triangles: Vec<_> = triangles.collect();
         let parts = DrawnParts::new(COLUMNS, COLUMNS * ROWS, &triangles);
         (points.collect(), parts)
     }

@@ -7,6 +7,7 @@
 
 use super::bits::{BitReader, BitWriter};
 use crate::drawn_mesh::DrawnMesh;
+use crate::grid::cut_cell;
 
 /// Parts of the leaf's width or height of which the place of a point is a whole number.
 const PARTS: f32 = u16::MAX as f32;
@@ -53,7 +54,7 @@ pub(super) fn pack(mesh: &DrawnMesh, u: &[f32], v: &[f32]) -> Vec<u8> {
     for corner in 0..3 {
         let corners = mesh.triangles.iter().enumerate();
         let apart = |(at, own): (usize, &[u32; 3])| {
-            own[corner] as i32 - cut_cell(at, u.len())[corner] as i32
+            own[corner] as i32 - grid_triangle(at, u.len())[corner] as i32
         };
         writer.run(&corners.map(apart).collect::<Vec<_>>());
     }
@@ -87,7 +88,7 @@ pub(super) fn unpack(packed: &[u8], u: &[f32], v: &[f32], count: usize) -> Optio
     for corner in 0..3 {
         reader.run(&mut run)?;
         for (at, (own, apart)) in triangles.iter_mut().zip(&run).enumerate() {
-            let point = cut_cell(at, columns)[corner] as i32 + apart;
+            let point = grid_triangle(at, columns)[corner] as i32 + apart;
             own[corner] = u32::try_from(point)
                 .ok()
                 .filter(|at| (*at as usize) < points)?;
@@ -133,13 +134,8 @@ fn evens(u: &[f32], v: &[f32], axis: usize) -> Vec<i32> {
 
 /// The corners of a triangle, by its number, of a grid whose cells are cut from their foot at
 /// the spine.
-fn cut_cell(number: usize, columns: usize) -> [u32; 3] {
+fn grid_triangle(number: usize, columns: usize) -> [u32; 3] {
     let cell = number / 2;
-    let foot = (cell + cell / (columns - 1)) as u32;
-    let head = foot + columns as u32;
-    if number.is_multiple_of(2) {
-        [foot, foot + 1, head + 1]
-    } else {
-        [foot, head + 1, head]
-    }
+    let foot = cell + cell / (columns - 1);
+    cut_cell(foot, columns, false)[number % 2].map(|corner| corner as u32)
 }

@@ -104,7 +104,7 @@ describe("a book at an address", () => {
   it.each([
     ["missing.pdf", "was not found; check the address\\."],
     ["secret.pdf", "may not be read \\(the server responded 403\\); "],
-    ["page", "is a web page, not a book; a PDF, "],
+    ["page", "is a web page, not a book; PDF, "],
     ["empty", "is empty; get the file again\\."],
     ["torn.pdf", "broke off while it was fetched; "],
     ["list.json", "is JSON, and no manifest of IIIF; "],

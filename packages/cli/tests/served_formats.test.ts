@@ -12,7 +12,12 @@ test("no SVG and no JSON is served, which the viewer opens", () => {
   expect(found('{"pages":[]}')).toMatch(/^is JSON /);
 });
 
-test("what the viewer does not open is refused for the same reason", () => {
+test("images are served that browsers show, and those that the viewer decodes", () => {
+  expect(found("BM\0\0\0\0\0\0\0\0")).toMatchObject({ kind: "image", type: "image/bmp" });
+  expect(found("II*\0\x08")).toMatchObject({ kind: "image", type: "image/tiff" });
+});
+
+test("what the viewer does not open fails for the same reason", () => {
   expect(found("<!---->".repeat(147))).toBe("is a web page, not a book");
   expect(found("\xfd7zXZ\0\0")).toBe("is packed by XZ, which is not unpacked here");
   expect(found("\x7fELF")).toBe("is of an unknown format");

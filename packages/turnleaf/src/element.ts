@@ -27,7 +27,7 @@ import type { TurnDetail } from "./element/events.ts";
 import { failureDetail, sentenceOf } from "./element/failure_detail.ts";
 import { placeOf } from "./element/fold_lists.ts";
 import type { PageChanges } from "./element/page_changes.ts";
-import type { PageLists } from "./element/page_lists.ts";
+import { layoutLists, type PageLists } from "./element/page_lists.ts";
 import { pageNumber, RequestedPage } from "./element/page_numbers.ts";
 import { differs, expectedPage, PageShown } from "./element/page_shown.ts";
 import { darkPagesOf, pageThemeOf, watchScheme } from "./element/page_theme.ts";
@@ -810,8 +810,7 @@ export class TurnleafBook extends ReaderElement {
 
   /** The options in the attributes: lists of pages name them as they lie now. */
   get #binding() {
-    const { shifts, hardPages, stocks } = this.lists;
-    return { ...bindingOptionsOf(this), shifts, hardPages, stocks };
+    return { ...bindingOptionsOf(this), ...layoutLists(this.lists) };
   }
 
   /**
@@ -846,6 +845,7 @@ export class TurnleafBook extends ReaderElement {
       paper: () => this.#leaves,
       page: () => this.#firstPage(source),
       opensShut: () => this.#namedPage(source) === null,
+      lists: () => layoutLists(this.lists),
       turnSeconds: () => turnSecondsOf(this),
       filmFrames: this.filmFrames,
       model: () => this,

@@ -9,6 +9,7 @@ use crate::book::surroundings::Surroundings;
 use crate::contact::aabb::Aabb;
 use crate::contact::relief::Relief;
 use crate::contact::tolerance::DEEPEST;
+use crate::grid::{cells, cut_cell};
 use crate::surface::Surface;
 
 impl TornLeaf {
@@ -99,19 +100,12 @@ impl TornLeaf {
 /// The triangles of a surface whose points lie row by row: two to a cell, cut along its rising
 /// diagonal; of facets about the middle of four cells, along that to the middle.
 fn grid_triangles(surface: &Surface, has_facets: bool) -> Vec<[u32; 3]> {
-    let (columns, rows) = (surface.columns, surface.rows);
-    let mut triangles = Vec::with_capacity(2 * (columns - 1) * (rows - 1));
-    for row in 0..rows - 1 {
-        for column in 0..columns - 1 {
-            let foot = row * columns + column;
-            let [a, b, c, d] =
-                [foot, foot + 1, foot + columns, foot + columns + 1].map(|n| n as u32);
-            if has_facets && (row + column) % 2 == 1 {
-                triangles.extend([[a, b, c], [b, d, c]]);
-            } else {
-                triangles.extend([[a, b, d], [a, d, c]]);
-            }
-        }
-    }
+    let columns = surface.columns;
+    let triangles = cells(columns, surface.rows).flat_map(|foot| {
+        let is_odd = (foot / columns + foot % columns) % 2 == 1;
+        cut_cell(foot, columns, has_facets && is_odd)
+    });
     triangles
+        .map(|corners| corners.map(|corner| corner as u32))
+        .collect()
 }

@@ -2,6 +2,7 @@
 
 use super::flat::{Place, twice_area, weights};
 use super::material::Material;
+use crate::grid::cut_cell;
 use core::ops::Range;
 
 /// Where a place lies on a material.
@@ -85,13 +86,9 @@ fn in_cell(
     foot: usize,
     place: Place,
 ) -> impl Iterator<Item = LocatedPlace> + '_ {
-    let head = foot + material.columns;
-    let triangles = [
-        [foot, foot + 1, head + 1],
-        [foot, head + 1, head],
-        [foot, foot + 1, head],
-        [foot + 1, head + 1, head],
-    ];
+    let cut = |is_falling: bool| cut_cell(foot, material.columns, is_falling);
+    let ([a, b], [c, d]) = (cut(false), cut(true));
+    let triangles = [a, b, c, d];
     let places = triangles.map(|corners| corners.map(|node| material.places[node]));
     let areas = places.map(|[a, b, c]| twice_area(a, b, c));
     let most = areas.iter().fold(0.0, |most: f64, area| most.max(*area));

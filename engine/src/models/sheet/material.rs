@@ -8,6 +8,7 @@
 use super::crease::FoldLine;
 use super::flat::{distance, twice_area, weights};
 use super::settings::{CAN_CREASE, CAN_TEAR, SheetSettings};
+use crate::grid::cut_cell;
 use crate::real::bounded;
 use core::ops::Range;
 
@@ -546,11 +547,7 @@ impl Line {
 /// Cuts a cell into two triangles, along its fold if it has one, else along its rising or
 /// its falling diagonal. Their nodes go around as u to v does.
 pub(super) fn cut(material: &Material, foot: usize, rising: bool) -> [[usize; 3]; 2] {
-    let head = foot + material.columns;
     let folded = material.folded_diagonal(foot);
-    if folded.map_or(rising, |edge| edge[0] == foot) {
-        [[foot, foot + 1, head + 1], [foot, head + 1, head]]
-    } else {
-        [[foot, foot + 1, head], [foot + 1, head + 1, head]]
-    }
+    let is_rising = folded.map_or(rising, |edge| edge[0] == foot);
+    cut_cell(foot, material.columns, !is_rising)
 }

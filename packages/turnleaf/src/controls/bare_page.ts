@@ -49,7 +49,7 @@ export function watchTaps(
     "pointerdown",
     ({ target }) => {
       isByHand = stage.contains(target as Node);
-      // Whoever uses the bars keeps them.
+      // Bars that are used stay.
       if (!isByHand) clearTimeout(timer);
     },
     { capture: true, passive: true, signal },

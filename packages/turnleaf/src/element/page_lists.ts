@@ -25,6 +25,11 @@ export const emptyLists: PageLists = {
   stocks: "",
 };
 
+/** Returns those of lists by which the book is laid out. */
+export function layoutLists({ shifts, hardPages, stocks }: PageLists): LayoutLists {
+  return { shifts, hardPages, stocks };
+}
+
 /**
  * Returns lists of the same pages.
  *

@@ -102,7 +102,7 @@ test("one page is shown as soon as lines of two would have less than 38 letters"
   await eventually(() => element.shownLayout).toBe("single");
   resize(element, [1280, 700]);
   await eventually(() => element.shownLayout).toBe("spread");
-  // Two pages as wide as their place is lack letters.
+  // Two pages as wide as their place have too few letters a line.
   element.fontSize = 2;
   await eventually(() => element.shownLayout).toBe("single");
   element.setAttribute("layout", "spread");

@@ -231,7 +231,11 @@ export class PlaceKeeper {
     const anchors = first.anchor && pages.map((one) => first.anchor?.(one - 1) ?? "");
     const text = anchors ? { text: { anchors, typography: this.#said(typographyAttributes) } } : {};
     const folds = dogEars.map(
-      ({ page, corner, size }): Fold => [bookmarks.indexOf(page), corner === "head" ? 1 : 0, size],
+      ({ page, corner, size }): SavedDogEar => [
+        bookmarks.indexOf(page),
+        corner === "head" ? 1 : 0,
+        size,
+      ],
     );
     const seen = this.#said(seenAttributes);
     const place = { page, zoom, bookmarks, shifts, folds, pageFolds, seen, ...text };
@@ -268,7 +272,7 @@ interface RestoredPlace {
 }
 
 /** A folded corner: the index of its page's bookmark, whether it is at the head, and its size. */
-type Fold = readonly [bookmark: number, isHead: 0 | 1, size: number];
+type SavedDogEar = readonly [bookmark: number, isHead: 0 | 1, size: number];
 
 /** The state kept of a book. */
 export interface SavedPlace {
@@ -281,7 +285,7 @@ export interface SavedPlace {
   /** Likewise. */
   readonly shifts: readonly number[];
   /** The folded corners of bookmarked pages. */
-  readonly folds: readonly Fold[];
+  readonly folds: readonly SavedDogEar[];
   /** The folds of pages besides their corners. */
   readonly pageFolds: readonly PageFold[];
   /** The attributes that say how it is seen. */
@@ -319,7 +323,7 @@ export function loadPlace(name: string): SavedPlace | null {
     zoom: typeof zoom === "number" && zoom >= 1 && zoom <= 8 ? zoom : 1,
     bookmarks: cleanPages(bookmarks),
     shifts: cleanPages(shifts),
-    folds: Array.isArray(folds) ? folds.slice(0, mostFolds).filter(isFold) : [],
+    folds: Array.isArray(folds) ? folds.slice(0, mostFolds).filter(isSavedDogEar) : [],
     pageFolds: cleanFolds(
       Array.isArray(pageFolds) ? pageFolds.slice(0, mostFolds).map(foldOf) : [],
     ),
@@ -329,7 +333,7 @@ export function loadPlace(name: string): SavedPlace | null {
 }
 
 /** Returns whether a value is a folded corner, as this code writes it. */
-function isFold(value: unknown): value is Fold {
+function isSavedDogEar(value: unknown): value is SavedDogEar {
   return (
     Array.isArray(value) && value.length === 3 && value.every((one) => typeof one === "number")
   );

@@ -28,7 +28,7 @@ import { failureDetail, warningDetail } from "./failure_detail.ts";
 import type { FilmRecorder, RecordOptions } from "./film_recorder.ts";
 import { cleanDogEars, cleanFolds, withDogEars } from "./fold_lists.ts";
 import { Jumps } from "./jumps.ts";
-import { emptyLists, movedLists, type PageLists } from "./page_lists.ts";
+import { emptyLists, layoutLists, movedLists, type PageLists } from "./page_lists.ts";
 import { cleanPages } from "./page_numbers.ts";
 import type { HomePlace, PlaceKeeper } from "./place_keeper.ts";
 import type { PrintOptions } from "./printing.ts";
@@ -428,10 +428,10 @@ export abstract class ReaderElement extends ReflectingElement {
   protected reportLists(): void {
     const [before, now] = [this.#reportedLists, this.#lists];
     this.#reportedLists = now;
-    const { bookmarks, dogEars, folds, shifts, hardPages, stocks } = now;
+    const { bookmarks, dogEars, folds, shifts } = now;
     const isOther = (name: keyof PageLists): boolean =>
       JSON.stringify(now[name]) !== JSON.stringify(before[name]);
-    this.book?.viewer.rebind({ shifts, hardPages, stocks });
+    this.book?.viewer.rebind(layoutLists(now));
     if (isOther("dogEars") || isOther("folds")) void this.#refold(false);
     if (isOther("dogEars")) this.emit("dogearchange", { dogEars });
     if (isOther("folds")) this.emit("foldchange", { folds });

@@ -74,9 +74,9 @@ export class ReflectingElement extends Base {
   }
 
   /**
-   * The paper of the leaves, from 30 g/m² (`bible`) to 250 g/m² (`card`).
-   * `stocks` gives single leaves another, and
-   * makes leaves of board. A change in mid-turn waits until the leaf has landed.
+   * The paper of the leaves, from 30 g/m² (`bible`) to 250 g/m² (`card`). `stocks`
+   * gives single leaves another, and makes leaves of board. A change in mid-turn
+   * waits until the leaf has landed.
    *
    * @attribute stock
    * @default book

@@ -37,16 +37,17 @@ const books: Record<string, (words: string) => File> = {
   },
 };
 
-/** Returns the lightness of paper, 0 to 255, and of the darkest and lightest places of a book's first page. */
+/** Returns the lightness of paper, 0 to 255, of the darkest and lightest places of a book's first page, and its foot. */
 async function tones(
   source: PageSource,
   colours: PageColours | null,
-): Promise<[paper: number, darkest: number, lightest: number]> {
+): Promise<[paper: number, darkest: number, lightest: number, foot: readonly number[]]> {
   const { data } = pixels(await source.draw(0, 400, never, undefined, colours));
   const greens = data.filter((_, k) => k % 4 === 1);
   // The paper is what most of a page is.
   const sorted = [...greens].toSorted((a, b) => a - b);
-  return [sorted[sorted.length >> 1] ?? 0, sorted[0] ?? 0, sorted.at(-1) ?? 0];
+  const foot = greens.slice(0.92 * greens.length);
+  return [sorted[sorted.length >> 1] ?? 0, sorted[0] ?? 0, sorted.at(-1) ?? 0, [...foot]];
 }
 
 test.each(Object.keys(books))("%s has its own paper and ink in contrast themes", async (name) => {
@@ -55,12 +56,15 @@ test.each(Object.keys(books))("%s has its own paper and ink in contrast themes",
       await force(scheme);
       expect(matchMedia("(forced-colors: active)").matches).toBe(scheme !== null);
       const source = await openSource(books[name]?.(`${theme} ${scheme}`) as File);
-      const [paper, darkest, lightest] = await tones(source, coloursOf(theme, ""));
+      const [paper, darkest, lightest, foot] = await tones(source, coloursOf(theme, ""));
       // A PDF is darkened once it is drawn.
       const isDark = theme === "night" && name !== "a PDF";
       expect(paper).toBe(isDark ? 0x1b : 255);
       if (isDark) expect(lightest).toBeGreaterThan(180);
       else expect(darkest).toBeLessThan(60);
+      // Its number.
+      if (isDark) expect(Math.max(...foot)).toBeGreaterThan(90);
+      else if (name !== "a PDF") expect(Math.min(...foot)).toBeLessThan(150);
       source.close();
     }
   }

@@ -92,6 +92,11 @@ test.each(["<!-- a drawing --><svg>", "<svg><circle/></svg>\n# A"])(
   },
 );
 
+test("bytes after the first ones do not change what a file is", () => {
+  const start = startOf(`${"a".repeat(1029)}\0\xff`);
+  expect(formatOfFile(start)?.kind).toBe("text");
+});
+
 test("a format is found by the ending of a name, the longest first", () => {
   const kindOf = (name: string) => formatOfName(name)?.kind;
   expect(kindOf("a.PDF")).toBe("pdf");

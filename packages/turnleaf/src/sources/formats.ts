@@ -288,8 +288,9 @@ export function formatOfFile(
   { start, type }: FileStart,
   among: readonly FileFormat[] = formats,
 ): FileFormat | null {
-  const text = latin1(start.subarray(0, sniffLength));
-  const file = { start, type, text, words: wordsOf(text) };
+  const first = start.subarray(0, sniffLength);
+  const text = latin1(first);
+  const file = { start: first, type, text, words: wordsOf(text) };
   return among.find(({ is }) => is?.(file)) ?? null;
 }
 

@@ -2,7 +2,7 @@
 
 import { sizeFromHeader, typedImage } from "./image_header.ts";
 import { limits } from "./limits.ts";
-import type { ImageBook, ImagePage } from "./manifest.ts";
+import type { ImageBook, ImagePage, StripPage } from "./manifest.ts";
 import type { OutlineEntry, PageLink, PageSize } from "./page_source.ts";
 import { areSliced, goesOnAt, type Seam, type Slice } from "./strip_seams.ts";
 import { countOfStrip, pagesOfStrip, placeOf, sizeOfSlices } from "./strips.ts";
@@ -95,6 +95,7 @@ function runsOf(images: readonly StripImage[]): StripImage[][] {
       image.size !== null &&
       image.size.width === before.size?.width &&
       image.size.width ** 2 / printedRatio <= limits.pixels &&
+      image.size.width * image.size.height <= limits.imagePixels &&
       image.isPlain &&
       before.isPlain;
     if (isNext) run?.push(image);
@@ -146,17 +147,18 @@ function stripOf(
   if (countOfStrip(size, 1 / ratio) > most) return null;
   const page = { width: size.width, height: size.width / ratio };
   const strips = pagesOfStrip(size, 1 / ratio);
-  const tops = strips.map((strip) => placeOf(size, strip, strip.index));
-  let top = 0;
+  const topOf = (strip: StripPage | undefined): number =>
+    strip ? placeOf(size, strip, strip.index) : Number.POSITIVE_INFINITY;
+  let [top, next] = [0, 0];
   return slices.map(({ src, size: { height } }) => {
-    const start = top;
+    const isOnPageBefore = topOf(strips[next]) > top;
+    const pages: ImagePage[] = [];
     top += height;
-    const own = strips.filter((_, k) => (tops[k] ?? 0) >= start && (tops[k] ?? 0) < start + height);
-    const pages = own.map((strip) => ({
-      ...{ src, size: page },
-      strip: slices.length > 1 ? { ...strip, slices } : strip,
-    }));
-    return { pages, isOnPageBefore: tops[own[0]?.index ?? -1] !== start };
+    for (; topOf(strips[next]) < top; next++) {
+      const strip = strips[next] as StripPage;
+      pages.push({ src, size: page, strip: slices.length > 1 ? { ...strip, slices } : strip });
+    }
+    return { pages, isOnPageBefore };
   });
 }
 

@@ -86,22 +86,22 @@ async function rowsOf({ size, read }: Slice): Promise<Rows | null> {
     .catch(() => null);
   if (!bitmap) return null;
   const { width, height } = bitmap;
-  const pen = new OffscreenCanvas(width, sampledRows).getContext("2d", {
+  const pen = new OffscreenCanvas(width, 3 * sampledRows).getContext("2d", {
     willReadFrequently: true,
   });
-  /** Returns rows from one on, each so many below the one before. */
-  const rows = (from: number, step: number): ImageData | undefined => {
-    for (let row = 0; row < sampledRows; row++) {
-      const y = Math.floor(from + step * row);
-      pen?.clearRect(0, row, width, 1);
-      pen?.drawImage(bitmap, 0, y, width, 1, 0, row, width, 1);
-    }
-    return pen?.getImageData(0, 0, width, sampledRows);
-  };
-  const step = height / sampledRows;
-  const [top, bottom, apart] = [rows(0, 1), rows(height - sampledRows, 1), rows(step / 2, step)];
+  const copy = (y: number, count: number, to: number): void =>
+    pen?.drawImage(bitmap, 0, y, width, count, 0, to, width, count);
+  copy(0, sampledRows, 0);
+  copy(height - sampledRows, sampledRows, sampledRows);
+  for (let row = 0; row < sampledRows; row++) {
+    copy(Math.floor(((row + 0.5) * height) / sampledRows), 1, 2 * sampledRows + row);
+  }
   bitmap.close();
-  return top && bottom && apart ? { top, bottom, apart } : null;
+  if (!pen) return null;
+  const [top, bottom, apart] = [0, 1, 2].map((k) =>
+    pen.getImageData(0, k * sampledRows, width, sampledRows),
+  ) as [ImageData, ImageData, ImageData];
+  return { top, bottom, apart };
 }
 
 /** Returns how much a row's values differ from their mean, on average. */

@@ -1,6 +1,5 @@
 /** Binds one book: at first, and again when its pages or its options change. */
 
-import { movedLayout } from "../book/moved_lists.ts";
 import { applyPaper, type Paper, scaleOf } from "../book/paper.ts";
 import { type Binding, type Layout, pageOf, pagesAt, spineOf, spreadOf } from "../book/spreads.ts";
 import type { BookEngine, BookSize } from "../engine/book_engine.ts";
@@ -112,8 +111,8 @@ export class Rebinder {
   }
 
   /**
-   * Queues a change of the pages, as `Viewer.changePages` describes. Options that name pages follow
-   * them.
+   * Queues a change of the pages, as `Viewer.changePages` describes. What owns the options that name
+   * pages has them follow these.
    */
   change(change: () => NewIndex): Promise<boolean> {
     if (this.#closed) return Promise.resolve(false);
@@ -121,10 +120,9 @@ export class Rebinder {
       this.#changes.push(() => {
         if (this.#closed) return resolve(false);
         try {
-          const { pageCount } = this.#parts.book.source;
           const moved = change();
           this.#parts.pictures.renumber(moved);
-          this.#options = movedLayout(this.#options, moved.placeOf ?? moved, pageCount);
+          this.#options = { ...this.#options, ...this.#parts.options.lists?.() };
           this.#place = placeOf(moved, this.#place - 1) + 1;
           this.#mustBind = true;
           resolve(true);

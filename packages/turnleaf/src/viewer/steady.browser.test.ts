@@ -32,7 +32,7 @@ const usual: Shown = { page: [200, 300], place: [1280, 800] };
 const places: readonly (Shown & { readonly name: string })[] = [
   { name: "in a page, 4:3", page: [200, 300], place: [800, 600] },
   { name: "full screen, 16:10", ...usual },
-  { name: "full screen, 16:9", page: [210, 297], place: [1280, 720] },
+  { name: "full screen, 16:9", page: [210, 297], place: [1920, 1080] },
   { name: "square pages", page: [200, 200], place: [1280, 720] },
   { name: "right to left", ...usual, options: { binding: "right" } },
   { name: "calendar", page: [300, 200], place: [800, 1000], options: { binding: "top" } },
@@ -42,7 +42,8 @@ const places: readonly (Shown & { readonly name: string })[] = [
     place: [800, 1000],
     options: { binding: "bottom" },
   },
-  { name: "phone", page: [200, 300], place: [390, 700] },
+  { name: "tablet upright", page: [129, 198], place: [820, 1180] },
+  { name: "phone", page: [129, 198], place: [390, 844] },
   { name: "a single page", page: [200, 300], place: [800, 600], options: { layout: "single" } },
   { name: "slides", page: [320, 180], place: [1280, 720] },
 ];

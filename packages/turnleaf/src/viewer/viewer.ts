@@ -292,8 +292,8 @@ export class Viewer {
 
   /**
    * Changes the book's pages as soon as it is at rest. The visible page stays
-   * in sight, or the one that lies in its place; options of the binding go on
-   * to name the same pages.
+   * in sight, or the one that lies in its place; the options that name pages are
+   * asked for again (`ViewerOptions.lists`).
    *
    * Resolves to whether the change was made: false if the book was closed
    * before. Rejects with what `change` throws.

@@ -1,6 +1,7 @@
 /** The options of a viewer. */
 
 import type { DogEar } from "../book/dog_ears.ts";
+import type { LayoutLists } from "../book/moved_lists.ts";
 import type { Paper } from "../book/paper.ts";
 import type { TearLine } from "../engine/shapes.ts";
 import type { ModelChoice } from "../leaf_models/model_choice.ts";
@@ -40,6 +41,11 @@ export interface ViewerOptions extends Partial<BindingOptions> {
    * page; called likewise. The default is no.
    */
   readonly opensShut?: () => boolean;
+  /**
+   * Returns the options that name pages, by their numbers of now; called once pages have moved. The
+   * default is that they go on to name the same numbers.
+   */
+  readonly lists?: () => LayoutLists;
   /** Returns the length of a played turn in seconds; called likewise. */
   readonly turnSeconds: () => number;
   /**

@@ -99,10 +99,10 @@ test("a leaf that swings stays in the picture, and so does a board, at any shape
 test("a book fills 0.94 of the height or of the width of a window, whole or one page of it", () => {
   const paperback: Partial<BookShape> = { width: 0.138, height: 0.213, thickness: 0.012 };
   for (const [width, height] of [
-    [1280, 700],
-    [1920, 980],
-    [820, 1080],
-    [390, 744],
+    [1280, 800],
+    [1920, 1080],
+    [820, 1180],
+    [390, 844],
   ]) {
     for (const cover of ["hard", "none"] as const) {
       for (const alone of [0, 1, -1] as const) {

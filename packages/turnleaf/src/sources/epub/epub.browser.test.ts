@@ -129,6 +129,29 @@ describe("its pages", () => {
     expect(runs.find(({ text }) => text === "one")?.x).toBeGreaterThan(300);
   });
 
+  test("hold the forms of letters that the browser knows beside one that it does not, and lose no text", async () => {
+    const forms = [
+      ...["uppercase full-width", "FULL-WIDTH  uppercase", "full-size-kana uppercase full-width"],
+      ...["uppercase full-width !important", "full-width", "full-size-kana full-width", "none"],
+    ];
+    const source = await laidOut({
+      chapters: [
+        forms.map((_, k) => `<p class="c${k}">letter\u3041</p>`).join("") +
+          forms.map((form) => `<p style="text-transform: ${form}">letter\u3041</p>`).join(""),
+      ],
+      css: forms.map((form, k) => `.c${k} { text-transform:${form} }`).join(""),
+    });
+    const runs = (await source.text?.(0, never)) ?? [];
+    expect(runs.map(({ text }) => text)).toEqual(Array(2 * forms.length).fill("letter\u3041"));
+    // Capitals are wider.
+    const least = runs[forms.indexOf("none")]?.width ?? 0;
+    const isCapital = runs.map(({ width }) => width > least + 5);
+    const meant = [...[true, true, true, true], ...[false, false, false]];
+    if (!CSS.supports("text-transform", "full-width")) {
+      expect(isCapital).toEqual([...meant, ...meant]);
+    }
+  });
+
   test("show each picture on its own page, and none that is on another", async () => {
     const big = await png("#0a0", 400, 600);
     const source = await laidOut({

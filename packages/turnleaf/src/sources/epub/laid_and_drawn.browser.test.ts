@@ -17,8 +17,15 @@ function isInMargins(x: number, y: number): boolean {
   return Math.abs(x - 244) < 60 && ((y >= 26 && y < 42) || (y >= 708 && y < 725));
 }
 
-/** Expects every word in its place: under each is ink, and none is anywhere else but what stands in the margins. */
-async function expectDrawnAsLaid(source: PageSource): Promise<void> {
+/**
+ * Expects every word in its place: under each is ink, and none is anywhere else but what stands in the margins.
+ *
+ * @param isApart whether ink at a place of a page (from 0) is no word's
+ */
+async function expectDrawnAsLaid(
+  source: PageSource,
+  isApart = (_page: number, _x: number) => false,
+): Promise<void> {
   const { width, height } = await source.size(0);
   for (let index = 0; index < source.pageCount; index++) {
     const picture = (await source.draw(index, Math.round(width), never)) as ImageBitmap;
@@ -29,7 +36,9 @@ async function expectDrawnAsLaid(source: PageSource): Promise<void> {
     const inked = new Uint8Array(picture.width * picture.height);
     for (let k = 0; k < inked.length; k++) {
       const isInk = (data[4 * k] as number) < 128;
-      if (isInk && !isInMargins(k % picture.width, Math.floor(k / picture.width))) inked[k] = 1;
+      const x = k % picture.width;
+      const isWord = !isInMargins(x, Math.floor(k / picture.width)) && !isApart(index, x);
+      if (isInk && isWord) inked[k] = 1;
     }
     const runs = (await source.text?.(index, never)) ?? [];
     for (const run of runs) {
@@ -230,8 +239,66 @@ test.each([
   },
 );
 
+test.each([
+  ["in its first row", (table: string) => table],
+  [
+    "that says so, under columns and before a foot",
+    (table: string) =>
+      table
+        .replace(
+          /<tr>(<th.*?)<\/tr>/,
+          '<colgroup><col/></colgroup><thead id="h"><tr>$1</tr></thead>',
+        )
+        .replace("</table>", "<tfoot><tr><td>foot</td></tr></tfoot></table>"),
+  ],
+  [
+    "of a table with cells over rows",
+    (table: string) =>
+      [...Array(19).keys()].reduce(
+        (text, k) =>
+          text
+            .replace(`<td>${3 * k}x0<`, `<td rowspan="3">${3 * k}x0<`)
+            .replace(`<td>${3 * k + 1}x0</td>`, "")
+            .replace(`<td>${3 * k + 2}x0</td>`, ""),
+        table,
+      ),
+  ],
+])(
+  "a turned table longer than a page is split between rows, with its head on each: %s",
+  async (_, made) => {
+    const body = `<p>before</p>${made(wideTable(9, 60))}<p>after</p>`;
+    const source = await laidOutEpub({ chapters: [body], css: "td, th { padding: 0 3px }" });
+    const pages = await pagesOf(source);
+    const meant = new DOMParser().parseFromString(body, "text/html").body.textContent ?? "";
+    // Every word once, and whole.
+    expect(letters(pages.join(""))).toBe(letters(meant));
+    expect(pages.length).toBeGreaterThan(4);
+    const runs = (await source.text?.(1, never)) ?? [];
+    const head = runs.find(({ text }) => text.includes("Measurement8"));
+    expect(head?.vertical).toBe(true);
+    expect(runs.find(({ text }) => /^0x8/.test(text))?.y).toBeCloseTo(head?.y ?? 0, -1);
+    // On later pages the head is drawn above their rows, in the same columns, and is no text of the book.
+    const later = [...pages.keys()].slice(2, -1);
+    const rows = await Promise.all(
+      pages.map(async (_, page) => (await source.text?.(page, never)) ?? []),
+    );
+    const ends = rows.map((own) => Math.max(...own.map(({ x, width }) => x + width)));
+    const heads = new Set<number>();
+    await expectDrawnAsLaid(source, (page, x) => {
+      const isHead = later.includes(page) && x > (ends[page] ?? 0) + 2;
+      if (isHead) heads.add(page);
+      return isHead;
+    });
+    expect([...heads]).toEqual(later);
+    const columns = later.map(
+      (page) => rows[page]?.find(({ text }) => /^\d+x1$/.test(text))?.y ?? 0,
+    );
+    for (const y of columns) expect(y).toBeCloseTo(columns[0] ?? 0, 0);
+  },
+);
+
 test("a table that has no room turned either has its words broken, and loses none", async () => {
-  const body = `<p>before</p>${wideTable(9, 60)}<p>after</p>`;
+  const body = `<p>before</p>${wideTable(30, 6)}<p>after</p>`;
   const source = await laidOutEpub({ chapters: [body] });
   const meant = new DOMParser().parseFromString(body, "text/html").body.textContent ?? "";
   expect(letters((await pagesOf(source)).join("")).length).toBe(letters(meant).length);

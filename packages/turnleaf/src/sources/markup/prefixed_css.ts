@@ -12,10 +12,20 @@ const renamed: readonly (readonly [prefixed: RegExp, today: string])[] = [
   [/(?<![\w-])(break-(?:before|after)\s*:\s*)(?:always|all)\b/gi, "$1page"],
 ];
 
+/** The forms of letters that a style asks for: the words of one value, with which a browser knows all or none. */
+const letterForms = /(?<=text-transform\s?:\s{0,9})[a-z][a-z\s-]{0,60}/gi;
+
 /** Returns a style sheet, or declarations, in today's properties. */
 export function withoutPrefixes(css: string): string {
-  if (!/-epub-|break-/i.test(css)) return css;
+  if (!/-epub-|break-|full-/i.test(css)) return css;
   return renamed
     .reduce((text, [prefixed, today]) => text.replace(prefixed, today), css)
-    .replace(/(^|[\s;{"])-epub-/gi, "$1");
+    .replace(/(^|[\s;{"])-epub-/gi, "$1")
+    .replace(letterForms, knownForms);
+}
+
+/** Returns the forms of a value that the browser knows, if it knows any. */
+function knownForms(forms: string): string {
+  const known = forms.split(/\s+/).filter((form) => CSS.supports("text-transform", form));
+  return known.length > 0 ? known.join(" ") : forms;
 }

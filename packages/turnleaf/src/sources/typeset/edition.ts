@@ -12,9 +12,8 @@ import type { SectionContents } from "./section_contents.ts";
 /** Frames kept, so that neighbouring pages are drawn without laying out again. */
 const keptFrames = 4;
 
-/** Pages that are laid out before the first estimate, and in how many pieces at most: about as much as one long chapter. */
-const sampledPages = 20;
-const mostSamples = 7;
+/** Pieces that are laid out before the last of the first estimates: at the half, the quarters and the eighths of the text. */
+const samples = 7;
 
 /** Editions so far, of all books. */
 let made = 0;
@@ -83,15 +82,16 @@ export class Edition {
   /**
    * Lays out pieces of the text here and there, from which the numbers of pages can be estimated.
    * What cannot be laid out is left out.
+   *
+   * @param laid called after each
    */
-  async sample(): Promise<void> {
-    let extent = 0;
-    for (const section of this.#lengths.spread.slice(0, mostSamples)) {
-      if (this.#isClosed || extent >= sampledPages) return;
+  async sample(laid: () => void): Promise<void> {
+    for (const section of this.#lengths.spread.slice(0, samples)) {
       const sample = await this.#sampleOf(section).catch(() => null);
+      if (this.#isClosed) return;
       if (sample === null) continue;
       this.#samples.set(section, sample);
-      extent += sample.extent;
+      laid();
     }
   }
 

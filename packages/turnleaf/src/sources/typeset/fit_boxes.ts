@@ -5,6 +5,7 @@
  */
 
 import type { PageSize } from "../page_source.ts";
+import { splitTable } from "./split_table.ts";
 
 /** Rounds of measuring and changing: a box that is opened shows those within it, at most so deep. */
 const rounds = 8;
@@ -79,11 +80,7 @@ export function fitBoxes(body: Element, area: PageSize, writingMode: string): vo
       done = box;
     }
     if (changes.length === 0) return;
-    for (const [element, change] of changes) {
-      for (const [name, value] of Object.entries(change)) {
-        element.style.setProperty(name, value, "important");
-      }
-    }
+    for (const [element, change] of changes) setStyles(element, change);
   }
 }
 
@@ -190,7 +187,7 @@ const zoomOf = (size: number): string => String(Math.floor(size * 1000) / 1000);
 
 /**
  * Returns the styles by which a table that is too wide lies sideways on a page of its own, as large as it
- * can; null if it has no room there either.
+ * can; or on several, between whose rows it is split. Null if it has no room there either.
  *
  * @param least its width where its columns are as narrow as their words
  */
@@ -201,24 +198,40 @@ function turnedTable(table: HTMLElement, least: number, area: TypeArea): Styles 
   const largest = Math.min(page / least, 1);
   const own = table.style.cssText;
   for (let size = largest; size >= smallestTable; size -= sizeStep) {
-    const styles = {
-      "writing-mode": "vertical-rl",
-      "text-orientation": "sideways",
-      "inline-size": `${Math.floor(page / size)}px`,
-      "max-inline-size": "none",
-      "block-size": "auto",
-      "break-before": "column",
-      "break-after": "column",
-      "break-inside": "avoid",
-      margin: "0",
-      zoom: zoomOf(size),
-    };
-    for (const [name, value] of Object.entries(styles)) {
-      table.style.setProperty(name, value, "important");
-    }
+    const styles = turnedStyles(page, size);
+    setStyles(table, styles);
     const { width, height } = table.getBoundingClientRect();
     table.style.cssText = own;
     if (width <= line + tolerance && height <= page + tolerance) return styles;
   }
+  if (largest < smallestTable || table.localName !== "table") return null;
+  const styles = turnedStyles(page, largest);
+  setStyles(table, styles);
+  const isHigh = table.getBoundingClientRect().height > page + tolerance;
+  const parts = isHigh ? null : splitTable(table as HTMLTableElement, line, Number(styles.zoom));
+  if (parts) return styles;
+  table.style.cssText = own;
   return null;
+}
+
+/** Returns the styles by which a table lies sideways, as long as the page is high. */
+function turnedStyles(page: number, size: number): Styles {
+  return {
+    "writing-mode": "vertical-rl",
+    "text-orientation": "sideways",
+    "inline-size": `${Math.floor(page / size)}px`,
+    "max-inline-size": "none",
+    "block-size": "auto",
+    "break-before": "column",
+    "break-after": "column",
+    "break-inside": "avoid",
+    margin: "0",
+    zoom: zoomOf(size),
+  };
+}
+
+function setStyles(element: HTMLElement, styles: Styles): void {
+  for (const [name, value] of Object.entries(styles)) {
+    element.style.setProperty(name, value, "important");
+  }
 }

@@ -540,8 +540,7 @@ export class FlowSource implements PageSource {
   /** Lays out parts of the book by which the rest is estimated. */
   async #sample(edition: Edition): Promise<void> {
     if (this.#isClosed || edition !== this.#edition) return;
-    await edition.sample();
-    this.#correct();
+    await edition.sample(() => this.#correct());
   }
 
   /** Corrects an estimate of the number of pages that has turned out to be clearly wrong. */

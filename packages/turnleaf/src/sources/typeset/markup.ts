@@ -79,8 +79,7 @@ export class Markup {
     const markup = xmlOf(html);
     // Gone through once, however many pictures there are.
     this.#parts = markup.split(pictureData).map((part) => pictures.get(part) ?? part);
-    // A theme of high contrast colours controls, and not what is printed.
-    this.#styles = styleElements([...style.styles, "* { forced-color-adjust: none !important; }"]);
+    this.#styles = styleElements(style.styles);
     this.#paper = paperOf(html, view) ?? "#fff";
     this.#ink = view.getComputedStyle(html.querySelector("body") ?? html).color;
   }
@@ -124,7 +123,7 @@ export class Markup {
       const most = Math.floor(line / (marginLetter * margins.size));
       const short = text.length > most ? `${text.slice(0, most - 1).trimEnd()}…` : text;
       const style = ownStyle(
-        `font: ${margins.size}px ${serif}; fill: ${ink}; fill-opacity: ${marginOpacity}; text-anchor: middle; ${look}`,
+        `font: ${margins.size}px ${serif}; fill: ${ink}; fill-opacity: ${marginOpacity}; text-anchor: middle; forced-color-adjust: none; ${look}`,
       );
       if (text === "") return "";
       return `<text x="${size.width / 2}" y="${y}" style='${style}'>${xmlText(short)}</text>`;

@@ -163,24 +163,27 @@ test("the first number of pages of twenty kinds of books is near the last", asyn
 }, 60_000);
 
 test("a page whose number is an estimate has the text that is as far through its chapter", async () => {
-  const chapters = Array.from({ length: 7 }, (_, k) =>
-    k === 4 ? `<div style="font-size: 1.7em">${prose(16)}</div>` : prose(16),
+  // Pieces of others are laid out first: of those at the eighths of the book.
+  const chapters = Array.from({ length: 17 }, (_, k) =>
+    k === 5 ? `<div style="font-size: 1.7em">${prose(16)}</div>` : prose(16),
   );
   holdCounting();
   const source = await openSource(tinyEpub({ chapters }));
   source.watchPages?.((change) => change());
   await (source as FlowSource).estimated;
-  const [first = 0, next = 0] = ((await source.outline?.(never)) ?? [])
-    .slice(4, 6)
-    .map(({ page }) => page ?? 0);
-  const estimated = next - first;
+  const found = async (): Promise<[first: number, pages: number]> => {
+    const entries = (await source.outline?.(never)) ?? [];
+    const [first = 0, next = 0] = entries.slice(5, 7).map(({ page }) => page ?? 0);
+    return [first, next - first];
+  };
+  const [first, estimated] = await found();
   const asked = Math.floor(0.75 * estimated);
   const runs = await source.text?.(first - 1 + asked, never);
   const paragraph = Number(/word(\d+)x/.exec(runs?.[0]?.text ?? "")?.[1]);
   expect(Math.abs(paragraph / 16 - asked / estimated)).toBeLessThan(1.5 / 16);
   countOn();
   await source.settle?.();
-  expect(source.pageCount).toBeGreaterThan(7 * estimated);
+  expect((await found())[1]).toBeGreaterThan(2 * estimated);
   source.close();
 });
 

@@ -5,6 +5,7 @@ import { limits } from "../limits.ts";
 import { formulaAttribute } from "../markup/formulas.ts";
 import { xmlOf } from "../markup/xml.ts";
 import type { PageBox, TextRun } from "../page_source.ts";
+import { repeatedAttribute } from "./split_table.ts";
 
 /** How a section's pages lie beside each other in its frame. */
 export interface PageFlow {
@@ -304,6 +305,9 @@ function* textNodes(body: Element): Generator<Piece["node"]> {
     (node) => {
       const parent = node.parentElement as Element;
       const { localName } = node as Partial<Element>;
+      if (!isText(node) && (node as Element).hasAttribute(repeatedAttribute)) {
+        return NodeFilter.FILTER_REJECT;
+      }
       // What is in one is rejected with it.
       if (parent.localName === "math" || localName === "rt" || localName === "rp") {
         return NodeFilter.FILTER_REJECT;

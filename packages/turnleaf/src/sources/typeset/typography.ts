@@ -20,8 +20,9 @@ export const ownTypography: Typography = {
   width: 0,
 };
 
-/** The style sheet beneath the book's own. */
+/** The style sheet beneath the book's own. A theme of high contrast colours controls, and not what is printed. */
 export const baseStyle: string = `
+* { forced-color-adjust: none !important; }
 html { font: 16px/1.45 ${serif}; color: #000; }
 p { widows: 2; orphans: 2; }
 h1, h2, h3, h4, h5, h6 { break-after: avoid; break-inside: avoid; }
