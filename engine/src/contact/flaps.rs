@@ -306,7 +306,7 @@ impl Flaps {
                     continue;
                 };
                 // What is deep in another part comes out of it over several ticks.
-                touching.left = (-gap - DEEPEST).max(0.0);
+                touching.left = (-gap - GAP).max(0.0);
                 match found[first..]
                     .iter_mut()
                     .find(|(_, known, _)| *known == other.part)
