@@ -92,11 +92,10 @@ fn in_cell(
     let places = triangles.map(|corners| corners.map(|node| material.places[node]));
     let areas = places.map(|[a, b, c]| twice_area(a, b, c));
     let most = areas.iter().fold(0.0, |most: f64, area| most.max(*area));
-    (0..4).filter_map(move |k| {
-        (areas[k] > FLAT * most).then(|| LocatedPlace {
-            corners: triangles[k],
-            weights: weights(place, places[k]),
-        })
+    let counts = move |k: &usize| areas[*k] > FLAT * most;
+    (0..4).filter(counts).map(move |k| LocatedPlace {
+        corners: triangles[k],
+        weights: weights(place, places[k]),
     })
 }
 
