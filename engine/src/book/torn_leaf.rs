@@ -3,7 +3,7 @@
 //!
 //! Griffith's rule: a row of the spine gives way when the energy that it holds reaches the work
 //! of tearing it, the work of fracture `G` of paper times its caliper times the length that
-//! holds there (folding.md has the figures). A row is a spring, whose stiffness follows from
+//! holds there (docs/reports/folding.md has them). A row is a spring, whose stiffness follows from
 //! that work and from how far a torn edge opens before it parts. A tear grows from its ends:
 //! paper gives way where it is notched, as at its rims, long before it does elsewhere.
 

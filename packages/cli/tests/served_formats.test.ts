@@ -19,7 +19,7 @@ test("images are served that browsers show, and those that the viewer decodes", 
 
 test("what the viewer does not open fails for the same reason", () => {
   expect(found("<!---->".repeat(147))).toBe("is a web page, not a book");
-  expect(found("\xfd7zXZ\0\0")).toBe("is packed by XZ, which is not unpacked here");
+  expect(found("BZh91AY&SY\0")).toBe("is packed by bzip2, which is not unpacked here");
   expect(found("\x7fELF")).toBe("is of an unknown format");
 });
 

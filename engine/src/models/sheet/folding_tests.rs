@@ -272,7 +272,7 @@ fn a_creased_strip_hangs_as_the_creased_elastica() {
     hang_creased_strips(11);
 }
 
-/// All are run by `lab crease`, in docs/folding.md.
+/// All are run by `lab crease`, in docs/reports/folding.md.
 #[test]
 #[ignore = "long: make test-long"]
 fn one_creased_strip_in_three_hangs_as_the_creased_elastica() {

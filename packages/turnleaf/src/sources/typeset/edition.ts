@@ -31,7 +31,7 @@ export class Edition {
   readonly #laying = new SharedTasks<number, LaidChapter>();
   /** One section is laid out at a time. */
   #last: Promise<unknown> = Promise.resolve();
-  #isClosed = false;
+  readonly #ended = new AbortController();
   readonly #number = made++;
   readonly #samples = new Map<number, LaidSample>();
   /** Whether every section has been laid out once, or cannot be. */
@@ -87,8 +87,10 @@ export class Edition {
    */
   async sample(laid: () => void): Promise<void> {
     for (const section of this.#lengths.spread.slice(0, samples)) {
+      // One that is laid out as a whole says more than a piece of it.
+      if (this.#maps.has(section)) continue;
       const sample = await this.#sampleOf(section).catch(() => null);
-      if (this.#isClosed) return;
+      if (this.#ended.signal.aborted) return;
       if (sample === null) continue;
       this.#samples.set(section, sample);
       laid();
@@ -101,7 +103,9 @@ export class Edition {
     const isScrolled = this.#book.sections[section]?.roll !== undefined;
     const pieces = isScrolled ? [content.root] : divide(content.root);
     const root = pieces[pieces.length >> 1] as Element;
-    const laid = await LaidSection.lay({ ...content, root }, this.typography, isScrolled);
+    const { signal } = this.#ended;
+    signal.throwIfAborted();
+    const laid = await LaidSection.lay({ ...content, root }, this.typography, isScrolled, signal);
     laid.close();
     return { lines: linesIn(root.outerHTML), extent: laid.map.extent };
   }
@@ -123,7 +127,7 @@ export class Edition {
   }
 
   close(): void {
-    this.#isClosed = true;
+    this.#ended.abort();
     this.#laying.abortAll();
     for (const laid of this.#frames.values()) laid.close();
     this.#frames.clear();
@@ -143,7 +147,7 @@ export class Edition {
       signal.throwIfAborted();
       const isScrolled = this.#book.sections[section]?.roll !== undefined;
       const laid = await LaidChapter.lay(content, this.typography, isScrolled, signal);
-      if (this.#isClosed) {
+      if (this.#ended.signal.aborted) {
         laid.close();
         throw new DOMException("The book is closed.", "AbortError");
       }

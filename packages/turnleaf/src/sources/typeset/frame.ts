@@ -1,5 +1,6 @@
 /** Frames in which text is laid out, out of sight: no script runs in them and nothing is fetched. */
 
+import { orAborted } from "../shared_tasks.ts";
 import { trustedMarkup } from "../trusted_script.ts";
 import { styleAttribute } from "./flow_book.ts";
 
@@ -24,8 +25,13 @@ export interface LayoutFrame {
   close(): void;
 }
 
-/** Returns a new frame of a size in CSS pixels. */
-export async function openFrame(width: number, height: number): Promise<LayoutFrame> {
+/** Returns a new frame of a size in CSS pixels. Rejects with the signal's reason, and leaves no frame then. */
+export async function openFrame(
+  width: number,
+  height: number,
+  signal?: AbortSignal,
+): Promise<LayoutFrame> {
+  signal?.throwIfAborted();
   const element = document.createElement("iframe");
   element.setAttribute("sandbox", "allow-same-origin");
   hide(element, width, height);
@@ -36,7 +42,10 @@ export async function openFrame(width: number, height: number): Promise<LayoutFr
     `<!doctype html><meta http-equiv="Content-Security-Policy" content="${policy}">`,
   );
   document.body.append(element);
-  await loaded;
+  const remove = (): void => element.remove();
+  signal?.addEventListener("abort", remove);
+  await (signal ? orAborted(loaded, signal) : loaded);
+  signal?.removeEventListener("abort", remove);
   const frame = element.contentDocument;
   if (frame === null) {
     // In a page without an origin of its own no frame is of the page's.
@@ -51,7 +60,7 @@ export async function openFrame(width: number, height: number): Promise<LayoutFr
   return {
     ...{ document: frame, drawing, root, styled: frame, adopt },
     fonts: () => [...frame.fonts],
-    close: () => element.remove(),
+    close: remove,
   };
 }
 

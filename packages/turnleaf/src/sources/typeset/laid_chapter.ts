@@ -54,14 +54,14 @@ export class LaidChapter {
   ): Promise<LaidChapter> {
     const isWhole = isScrolled || content.size !== undefined;
     const roots = isWhole ? [content.root] : divide(content.root);
-    const lay = (piece: FlowContent): Promise<LaidSection> =>
-      LaidSection.lay(piece, typography, isScrolled);
+    const lay = (piece: FlowContent, signal?: AbortSignal): Promise<LaidSection> =>
+      LaidSection.lay(piece, typography, isScrolled, signal);
     const pieces: Piece[] = [];
     let kept: LaidSection | null = null;
     let first = 0;
     for (const root of roots) {
       const piece = { ...content, root };
-      const laid = await lay(piece);
+      const laid = await lay(piece, signal);
       pieces.push({ content: piece, map: laid.map, first });
       first += laid.map.pageCount;
       // The first one is most likely to be asked for.

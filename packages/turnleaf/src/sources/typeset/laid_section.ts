@@ -1,6 +1,7 @@
 import { cleanText } from "../book_text.ts";
 import { isPageSize, limits } from "../limits.ts";
 import type { PageBox, PageColours, PageSize, TextRun, Typography } from "../page_source.ts";
+import { orAborted } from "../shared_tasks.ts";
 import { alignText, alignUnsaid } from "./align_text.ts";
 import { fitBoxes } from "./fit_boxes.ts";
 import {
@@ -138,7 +139,8 @@ export class LaidSection {
   }
 
   /**
-   * Lays a section out. Rejects with any error of the browser.
+   * Lays a section out. Rejects with any error of the browser, and with the signal's reason, as soon as
+   * that aborts: its frame is gone then.
    *
    * @param isScrolled whether its pages hang together, so that a line may be cut
    * where one ends
@@ -147,15 +149,21 @@ export class LaidSection {
     content: FlowContent,
     typography: Typography,
     isScrolled = false,
+    signal?: AbortSignal,
   ): Promise<LaidSection> {
     const size = content.size ?? measuresOf(typography);
-    const frame = await openFrame(size.width, size.height);
+    const frame = await openFrame(size.width, size.height, signal);
+    const abandon = (): void => frame.close();
+    signal?.addEventListener("abort", abandon);
     try {
       const made = (...parts: MadeParts): LaidSection => new LaidSection(...parts);
-      return await layIn(frame, content, typography, isScrolled, made);
+      const laying = layIn(frame, content, typography, isScrolled, made);
+      return await (signal ? orAborted(laying, signal) : laying);
     } catch (error) {
       frame.close();
       throw error;
+    } finally {
+      signal?.removeEventListener("abort", abandon);
     }
   }
 
