@@ -51,6 +51,7 @@ mod stock;
 mod surface;
 mod synchronise;
 pub mod trials;
+mod triangle;
 mod turn;
 mod vector;
 

@@ -319,7 +319,7 @@ impl FoldOut {
             contact.offset -= dot(contact.normal, self.foot);
         }
         if let Some(creased) = &self.creased {
-            creased.folded.find_contacts(&mut self.sheet);
+            creased.folded.keep_apart(&mut self.sheet);
         }
     }
 

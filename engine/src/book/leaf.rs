@@ -349,6 +349,9 @@ impl Leaf {
         itself: bool,
     ) {
         self.searches += 1;
+        if let (true, Some(flaps)) = (itself, self.flaps.as_ref()) {
+            flaps.touch(&mut self.sheet, self.steps);
+        }
         let friction = self.sheet.settings().stock.friction as f32;
         let (flat, contacts) = self.sheet.contact_state();
         let mut sheet = ContactView {
@@ -357,8 +360,8 @@ impl Leaf {
             friction,
         };
         detect_contacts(&mut self.in_book, piles, neighbours, &mut sheet);
-        if itself {
-            detect_self_contacts(&mut self.in_book, self.flaps.as_ref(), &mut sheet);
+        if itself && self.flaps.is_none() {
+            detect_self_contacts(&mut self.in_book, &mut sheet);
         }
     }
 

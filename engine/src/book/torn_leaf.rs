@@ -447,7 +447,7 @@ impl TornLeaf {
             let (positions, contacts) = self.sheet.contact_state();
             around.write_contacts(positions, contacts);
             if let Some(folded) = &self.folded {
-                folded.find_contacts(&mut self.sheet);
+                folded.keep_apart(&mut self.sheet);
             }
             if let Some(Crumpled::Pressed(press)) = &self.crumpled {
                 let (positions, contacts) = self.sheet.contact_state();

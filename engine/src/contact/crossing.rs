@@ -5,10 +5,10 @@
 
 use super::aabb::Aabb;
 use super::mesh::Mesh;
-use super::triangle::{Triangle, area_normal};
 use super::work::Work;
 use crate::creased_only::CreasedOnly;
 use crate::grid::cut_cell;
+use crate::triangle::{Triangle, area_normal};
 use crate::vector::{dot, sub};
 
 /// Cells along a side of a tile that one box bounds, and points along it.

@@ -7,8 +7,8 @@
 //! such flaps one lies upon the other: the one that is farther up, as far as they are over each other.
 
 use super::mesh::Mesh;
-use super::triangle::PlanTriangle;
 use crate::grid::{cells, cut_cell};
+use crate::triangle::PlanTriangle;
 use crate::vector::{dot, unit};
 
 /// Whether parts of a leaf lie upon those of a neighbour, by whether the part of the one and that of

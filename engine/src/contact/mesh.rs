@@ -2,10 +2,10 @@
 //! place on it.
 
 use super::tolerance::BEYOND_RIM;
-use super::triangle::{area_normal, nearest_weights, place_of};
 use crate::creased_only::CreasedOnly;
 use crate::grid::cut_cell;
 use crate::surface::Surface;
+use crate::triangle::{area_normal, nearest_weights, place_of};
 use crate::vector::{cross, dot, sub, unit};
 
 /// Points of a leaf in book space, row by row from the foot.

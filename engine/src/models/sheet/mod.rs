@@ -42,6 +42,7 @@ mod torn;
 mod torn_grid;
 mod torn_material;
 mod torn_path;
+mod touching;
 mod turned_path;
 mod turned_sheet;
 
@@ -62,6 +63,7 @@ use system::System;
 pub(crate) use tether::{Tether, Tie};
 pub use torn::TornMesh;
 pub(crate) use torn_grid::TornGrid;
+pub(crate) use touching::Touching;
 pub(crate) use turned_path::wrapped;
 
 use crate::band::Band;
