@@ -506,8 +506,10 @@ export class FlowSource implements PageSource {
     this.#next?.close();
     this.#next = next;
     try {
-      // Where the reader is first.
-      for (const section of this.#recent) await next.lay(section);
+      // Where the reader is first. What was drawn before the last jump is not seen.
+      const [here = 0] = this.#recent;
+      const near = this.#recent.filter((section) => Math.abs(section - here) < nearSections);
+      for (const section of near) await next.lay(section);
     } catch (error) {
       if (this.#next !== next || this.#isClosed) return;
       // A section that cannot be laid out says so on its page.
