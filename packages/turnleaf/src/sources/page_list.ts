@@ -161,6 +161,10 @@ export class PageList implements PageSource {
     return this.first.isEstimated ?? false;
   }
 
+  get isGuessed(): boolean {
+    return this.first.isGuessed ?? false;
+  }
+
   get openingPage(): number | undefined {
     return this.first.openingPage;
   }

@@ -253,6 +253,8 @@ export interface PageSource {
   readonly pageCount: number;
   /** Whether `pageCount` is an estimate until all pages are counted. The default is false. */
   readonly isEstimated?: boolean;
+  /** Whether that is only a guess by the size of the file, which readers are not shown. The default is false. */
+  readonly isGuessed?: boolean;
   /** The page (from 1) at which the book should open, if it says so. */
   readonly openingPage?: number;
   /** The edge at which the book is bound. The default is decided by `direction`. */

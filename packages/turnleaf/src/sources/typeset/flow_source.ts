@@ -98,6 +98,9 @@ export class FlowSource implements PageSource {
   #counting: Promise<void>;
   #listener: ((change: () => NewIndex) => void) | null = null;
   #isDue = false;
+  /** Whether parts of the book are laid out by which its pages are estimated, and whether these are. */
+  #isSampled = false;
+  #hasEstimate = false;
   #onDrawing: ((index: number) => void) | null = null;
   /** The sections that were drawn last, the last one first. */
   #recent: readonly number[] = [0];
@@ -196,6 +199,10 @@ export class FlowSource implements PageSource {
 
   get isEstimated(): boolean {
     return this.#pages.numbers.isEstimated;
+  }
+
+  get isGuessed(): boolean {
+    return this.isEstimated && !this.#hasEstimate;
   }
 
   async size(index: number, signal?: AbortSignal): Promise<PageSize> {
@@ -539,15 +546,18 @@ export class FlowSource implements PageSource {
     this.#announce();
   }
 
-  /** Lays out parts of the book by which the rest is estimated. */
+  /** Lays out parts of the book by which the rest is estimated, and announces the estimate. */
   async #sample(edition: Edition): Promise<void> {
-    if (this.#isClosed || edition !== this.#edition) return;
-    await edition.sample(() => this.#correct());
+    // One that is being set anew is estimated by what is laid out of it.
+    if (!this.#isClosed && edition === this.#edition) await edition.sample();
+    this.#isSampled = true;
+    // Otherwise what is counted is about to be announced.
+    if (!this.#edition.isLaid) this.#announce();
   }
 
   /** Corrects an estimate of the number of pages that has turned out to be clearly wrong. */
   #correct(): void {
-    if (this.#isClosed || this.#next) return;
+    if (this.#isClosed || this.#next || !this.#isSampled) return;
     const { pageCount } = this.#pages.numbers;
     const off = Math.abs(this.#pages.estimate - pageCount);
     if (off > mostOff * pageCount) this.#announce();
@@ -562,6 +572,7 @@ export class FlowSource implements PageSource {
   /** Counts the pages anew: of another edition, or by what is known of this one. */
   #change(): NewIndex {
     this.#isDue = false;
+    this.#hasEstimate = this.#isSampled;
     this.narration?.forgetPages();
     const next = this.#next;
     if (next === null) return this.#renumbered(this.#pages.change(this.#edition));

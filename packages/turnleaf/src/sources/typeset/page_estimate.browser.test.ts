@@ -146,9 +146,11 @@ test("the first number of pages of twenty kinds of books is near the last", asyn
     const source = await openSource(tinyEpub({ chapters, css }));
     // What is announced is what is shown.
     source.watchPages?.((change) => change());
+    // Before anything of it is set the number is not to be shown.
+    expect(source.isGuessed, kind).toBe(true);
     await (source as FlowSource).estimated;
     const first = source.pageCount;
-    expect(source.isEstimated, kind).toBe(true);
+    expect([source.isGuessed, source.isEstimated], kind).toEqual([false, true]);
     countOn();
     await source.settle?.();
     expect(source.isEstimated, kind).toBe(false);
