@@ -56,14 +56,6 @@ const mostDrawn = 200;
 /** Sections that the links of one page may have laid out, to find where they lead. */
 const mostTargets = 4;
 
-/** The lengths of a book's sections, of which the first are being read. */
-interface ReadLengths {
-  readonly lengths: SectionLengths;
-  readonly reading: Promise<void>;
-  /** Ends the reading, and the book. */
-  readonly ended: AbortController;
-}
-
 /**
  * A book of flowing text, set into pages. Sections are laid out when they are
  * needed, and one after another while nothing else is asked for; until then
@@ -83,8 +75,6 @@ export class FlowSource implements PageSource {
   /** Sets the book in another typography; absent if all its pages are of fixed layout. */
   readonly typeset?: (typography: Typography) => Promise<void>;
   readonly narration?: Narrator;
-  /** Resolves once the number of pages is estimated by text of the whole book, and by parts of it that are laid out. */
-  readonly estimated: Promise<void>;
   /** Absent if all pages are turned. */
   readonly roll?: (index: number) => number | null;
   readonly #book: FlowBook;
@@ -101,10 +91,13 @@ export class FlowSource implements PageSource {
   /** Whether parts of the book are laid out by which its pages are estimated, and whether these are. */
   #isSampled = false;
   #hasEstimate = false;
+  #estimating: Promise<void> | null = null;
+  /** Pages that are being drawn. */
+  #drawing = 0;
   #onDrawing: ((index: number) => void) | null = null;
   /** The sections that were drawn last, the last one first. */
   #recent: readonly number[] = [0];
-  readonly #ended: AbortController;
+  readonly #ended = new AbortController();
   readonly #heads: RunningHeads;
   /** The pages that were drawn last, which have their numbers on them. */
   readonly #drawn = new Set<number>();
@@ -115,28 +108,25 @@ export class FlowSource implements PageSource {
     const warnings = new FlowWarnings(book);
     const lengths = new SectionLengths(book.sections);
     const edition = new Edition(book, contents, warnings, lengths, typography);
-    const ended = new AbortController();
-    const reading = lengths.read(ended.signal, firstRead);
     try {
       await edition.lay(0);
     } catch (error) {
       // A first section among others says so on its page.
       if (book.sections.length === 1) {
-        ended.abort();
         edition.close();
         book.close();
         throw error;
       }
     }
-    return new FlowSource(book, contents, warnings, edition, { lengths, reading, ended });
+    return new FlowSource(book, contents, warnings, lengths, edition);
   }
 
   private constructor(
     book: FlowBook,
     contents: SectionContents,
     warnings: FlowWarnings,
+    lengths: SectionLengths,
     edition: Edition,
-    { lengths, reading, ended }: ReadLengths,
   ) {
     this.title = book.title;
     this.titleDirection = book.titleDirection ?? "auto";
@@ -152,7 +142,6 @@ export class FlowSource implements PageSource {
     this.#contents = contents;
     this.#warnings = warnings;
     this.#lengths = lengths;
-    this.#ended = ended;
     this.#heads = new RunningHeads(book);
     this.#pages = new NumberedPages(book.sections.length, edition);
     if (book.sections.some(({ isFixed }) => !isFixed)) {
@@ -169,9 +158,17 @@ export class FlowSource implements PageSource {
         redraw: (section, pages) => this.#redraw(section, pages),
       });
     }
-    this.estimated = reading.then(() => this.#sample(edition));
-    this.estimated.then(() => lengths.read(ended.signal)).then(() => this.#correct());
     this.#counting = this.#layRest(edition);
+  }
+
+  /**
+   * Resolves once the number of pages is estimated by text of the whole book, and by parts of it that are
+   * laid out. That begins when it is first asked for, and else once the first pages are drawn: a book is
+   * read sooner than its number of pages.
+   */
+  get estimated(): Promise<void> {
+    this.#estimating ??= this.#estimate();
+    return this.#estimating;
   }
 
   get pageCount(): number {
@@ -239,6 +236,22 @@ export class FlowSource implements PageSource {
     colours: PageColours | null = null,
   ): Promise<PagePicture> {
     signal.throwIfAborted();
+    this.#drawing += 1;
+    try {
+      return await this.#draw(index, width, signal, region, colours);
+    } finally {
+      this.#drawing -= 1;
+      if (this.#drawing === 0) void this.estimated;
+    }
+  }
+
+  async #draw(
+    index: number,
+    width: number,
+    signal: AbortSignal,
+    region: PageBox,
+    colours: PageColours | null,
+  ): Promise<PagePicture> {
     const { section } = this.#at(index);
     const others = this.#recent.filter((other) => other !== section);
     this.#recent = [section, ...others].slice(0, nearSections);
@@ -546,13 +559,16 @@ export class FlowSource implements PageSource {
     this.#announce();
   }
 
-  /** Lays out parts of the book by which the rest is estimated, and announces the estimate. */
-  async #sample(edition: Edition): Promise<void> {
-    // One that is being set anew is estimated by what is laid out of it.
-    if (!this.#isClosed && edition === this.#edition) await edition.sample();
+  /** Reads and lays out parts of the book by which the rest is estimated, announces that, and reads on. */
+  async #estimate(): Promise<void> {
+    const { signal } = this.#ended;
+    if (!this.#isClosed) await this.#lengths.read(signal, firstRead);
+    if (this.#isClosed) return;
+    await this.#edition.sample();
     this.#isSampled = true;
     // Otherwise what is counted is about to be announced.
     if (!this.#edition.isLaid) this.#announce();
+    void this.#lengths.read(signal).then(() => this.#correct());
   }
 
   /** Corrects an estimate of the number of pages that has turned out to be clearly wrong. */
