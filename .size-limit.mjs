@@ -71,9 +71,9 @@ const apart = [
   entry("page-flip", 5),
   entry("page-flip.browser", 5),
   entry("react-pageflip", 2),
-  entry("react", 2),
-  entry("vue", 2),
-  entry("svelte/book_props", 2),
+  entry("react", 3),
+  entry("vue", 3),
+  entry("svelte/book_props", 3),
   entry("pdf-worker", 440),
 ];
 
