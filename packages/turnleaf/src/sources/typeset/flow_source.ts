@@ -26,7 +26,7 @@ import { idle } from "./idle.ts";
 import type { LaidChapter } from "./laid_chapter.ts";
 import { Narrator } from "./narrator.ts";
 import { NumberedPages } from "./numbered_pages.ts";
-import { firstRead, SectionLengths } from "./page_estimate.ts";
+import { firstRead, openingRead, SectionLengths } from "./page_estimate.ts";
 import { leafOf, mayFace, paperback } from "./page_measures.ts";
 import type { SectionPage } from "./page_numbers.ts";
 import { RunningHeads } from "./running_heads.ts";
@@ -56,6 +56,14 @@ const mostDrawn = 200;
 /** Sections that the links of one page may have laid out, to find where they lead. */
 const mostTargets = 4;
 
+/** The lengths of a book's sections, of which the first are being read. */
+interface ReadLengths {
+  readonly lengths: SectionLengths;
+  readonly reading: Promise<void>;
+  /** Ends the reading, and the book. */
+  readonly ended: AbortController;
+}
+
 /**
  * A book of flowing text, set into pages. Sections are laid out when they are
  * needed, and one after another while nothing else is asked for; until then
@@ -81,6 +89,8 @@ export class FlowSource implements PageSource {
   readonly #contents: SectionContents;
   readonly #warnings: FlowWarnings;
   readonly #lengths: SectionLengths;
+  /** Resolves once the first of these are read. */
+  readonly #reading: Promise<void>;
   /** Another edition, whose pages are to replace these. */
   #next: Edition | null = null;
   readonly #pages: NumberedPages;
@@ -97,7 +107,7 @@ export class FlowSource implements PageSource {
   #onDrawing: ((index: number) => void) | null = null;
   /** The sections that were drawn last, the last one first. */
   #recent: readonly number[] = [0];
-  readonly #ended = new AbortController();
+  readonly #ended: AbortController;
   readonly #heads: RunningHeads;
   /** The pages that were drawn last, which have their numbers on them. */
   readonly #drawn = new Set<number>();
@@ -108,25 +118,28 @@ export class FlowSource implements PageSource {
     const warnings = new FlowWarnings(book);
     const lengths = new SectionLengths(book.sections);
     const edition = new Edition(book, contents, warnings, lengths, typography);
+    const ended = new AbortController();
+    const reading = lengths.read(ended.signal, openingRead);
     try {
       await edition.lay(0);
     } catch (error) {
       // A first section among others says so on its page.
       if (book.sections.length === 1) {
+        ended.abort();
         edition.close();
         book.close();
         throw error;
       }
     }
-    return new FlowSource(book, contents, warnings, lengths, edition);
+    return new FlowSource(book, contents, warnings, edition, { lengths, reading, ended });
   }
 
   private constructor(
     book: FlowBook,
     contents: SectionContents,
     warnings: FlowWarnings,
-    lengths: SectionLengths,
     edition: Edition,
+    { lengths, reading, ended }: ReadLengths,
   ) {
     this.title = book.title;
     this.titleDirection = book.titleDirection ?? "auto";
@@ -142,6 +155,8 @@ export class FlowSource implements PageSource {
     this.#contents = contents;
     this.#warnings = warnings;
     this.#lengths = lengths;
+    this.#reading = reading;
+    this.#ended = ended;
     this.#heads = new RunningHeads(book);
     this.#pages = new NumberedPages(book.sections.length, edition);
     if (book.sections.some(({ isFixed }) => !isFixed)) {
@@ -562,7 +577,8 @@ export class FlowSource implements PageSource {
   /** Reads and lays out parts of the book by which the rest is estimated, announces that, and reads on. */
   async #estimate(): Promise<void> {
     const { signal } = this.#ended;
-    if (!this.#isClosed) await this.#lengths.read(signal, firstRead);
+    await this.#reading;
+    if (!this.#isClosed) await this.#lengths.read(signal, firstRead - openingRead);
     if (this.#isClosed) return;
     await this.#edition.sample();
     this.#isSampled = true;
