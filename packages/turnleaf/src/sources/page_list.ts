@@ -189,6 +189,10 @@ export class PageList implements PageSource {
     return this.first.usualLeaf;
   }
 
+  get titleFont(): PageSource["titleFont"] {
+    return this.first.titleFont;
+  }
+
   get titleDirection(): PageSource["titleDirection"] {
     return this.first.titleDirection;
   }

@@ -147,6 +147,14 @@ export function placeOf(moved: NewIndex, index: number): number {
   return 0;
 }
 
+/** A font for a canvas, but for its size. */
+export interface TitleFont {
+  /** Style, caps and weight, as CSS has them in `font` before the size. */
+  readonly style: string;
+  /** CSS font families, those of the book's own files loaded in the page. */
+  readonly family: string;
+}
+
 /** A line about a book that its owner wants to be shown, such as its licence. */
 export interface BookDetail {
   /** What it is, such as "Rights"; may be empty. */
@@ -284,6 +292,8 @@ export interface PageSource {
    * scan of a whole book.
    */
   readonly cover?: "picture" | "stamped" | "none" | undefined;
+  /** The face of its titles, in which they are stamped on boards. The default is the one of usual text. */
+  readonly titleFont?: TitleFont | undefined;
   /** Who wrote the book, as a cover names them. The default is nobody. */
   readonly authors?: readonly string[] | undefined;
   /** Typeset pages keep paper shading to their own white; scans must not be brightened. */

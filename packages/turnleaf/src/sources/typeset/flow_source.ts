@@ -15,6 +15,7 @@ import {
   type PageSource,
   type TextPage,
   type TextRun,
+  type TitleFont,
   type Typography,
 } from "../page_source.ts";
 import { orAborted } from "../shared_tasks.ts";
@@ -39,6 +40,7 @@ import {
   placeOfPage,
   type TextPlace,
 } from "./text_place.ts";
+import { type LoadedTitleFont, loadTitleFont } from "./title_font.ts";
 import { ownTypography } from "./typography.ts";
 
 /** Sections about the reader's place: those of two open pages, and one beside them. */
@@ -109,6 +111,7 @@ export class FlowSource implements PageSource {
   #recent: readonly number[] = [0];
   readonly #ended: AbortController;
   readonly #heads: RunningHeads;
+  readonly #titleFont: LoadedTitleFont | null;
   /** The pages that were drawn last, which have their numbers on them. */
   readonly #drawn = new Set<number>();
 
@@ -120,8 +123,13 @@ export class FlowSource implements PageSource {
     const edition = new Edition(book, contents, warnings, lengths, typography);
     const ended = new AbortController();
     const reading = lengths.read(ended.signal, openingRead);
+    let titleFont: LoadedTitleFont | null = null;
     try {
-      await edition.lay(0);
+      const laid = await edition.lay(0);
+      // A face that the reader chose is not the book's.
+      const isStamped = book.cover === "stamped" && typography.font === "";
+      const face = isStamped ? await laid.titleFace() : null;
+      titleFont = face && (await loadTitleFont(face));
     } catch (error) {
       // A first section among others says so on its page.
       if (book.sections.length === 1) {
@@ -131,7 +139,14 @@ export class FlowSource implements PageSource {
         throw error;
       }
     }
-    return new FlowSource(book, contents, warnings, edition, { lengths, reading, ended });
+    return new FlowSource(
+      book,
+      contents,
+      warnings,
+      edition,
+      { lengths, reading, ended },
+      titleFont,
+    );
   }
 
   private constructor(
@@ -140,6 +155,7 @@ export class FlowSource implements PageSource {
     warnings: FlowWarnings,
     edition: Edition,
     { lengths, reading, ended }: ReadLengths,
+    titleFont: LoadedTitleFont | null,
   ) {
     this.title = book.title;
     this.titleDirection = book.titleDirection ?? "auto";
@@ -148,6 +164,7 @@ export class FlowSource implements PageSource {
     if (book.layout) this.layout = book.layout;
     if (isAllText(book)) this.usualLeaf = paperback;
     this.cover = book.cover;
+    this.#titleFont = titleFont;
     this.details = book.details ?? [];
     // A name without a word about it is an author's.
     this.authors = this.details.filter(({ label }) => label === "").map(({ value }) => value);
@@ -188,6 +205,10 @@ export class FlowSource implements PageSource {
 
   get pageCount(): number {
     return this.#pages.numbers.pageCount;
+  }
+
+  get titleFont(): TitleFont | undefined {
+    return this.#titleFont ?? undefined;
   }
 
   get warnings(): readonly BookWarning[] {
@@ -457,6 +478,7 @@ export class FlowSource implements PageSource {
     this.#ended.abort();
     this.#edition.close();
     this.#next?.close();
+    this.#titleFont?.close();
     this.#book.close();
   }
 

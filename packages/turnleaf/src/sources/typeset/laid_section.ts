@@ -29,6 +29,7 @@ import { type MarginStyle, Markup, type PageMargins } from "./markup.ts";
 import { blankIds, isNoteLink, noteText } from "./notes.ts";
 import { leafOf, measuresOf, type PageMeasures } from "./page_measures.ts";
 import { type PageFlow, pageOfRect, TextMap } from "./text_map.ts";
+import { type TitleFace, titleFaceIn } from "./title_font.ts";
 import { isTypeface, typefaceRules } from "./typefaces/typefaces.ts";
 import {
   baseStyle,
@@ -121,6 +122,7 @@ export class LaidSection {
   readonly #flow: PageFlow;
   readonly #text: TextMap;
   readonly #makeMarkup: () => Markup;
+  readonly #fontRules: () => readonly string[];
   /** The section as it is drawn, with what is read aloud marked in it; made when it is first drawn. */
   #markup: Markup | null = null;
   readonly #html: HTMLElement;
@@ -134,6 +136,7 @@ export class LaidSection {
     this.map = map;
     this.#text = parts.text;
     this.#makeMarkup = parts.markup;
+    this.#fontRules = parts.fontRules;
     this.layoutSize = parts.layoutSize;
     this.#html = parts.html;
     this.#scale = map.size.width / this.layoutSize.width;
@@ -241,6 +244,11 @@ export class LaidSection {
     return { text, pages };
   }
 
+  /** Returns the face of its first heading; null if the book chose none. */
+  titleFace(): TitleFace | null {
+    return titleFaceIn(this.#html, this.#fontRules);
+  }
+
   /** Marks what is read aloud, in what is drawn from now on; null removes the mark. */
   mark(spoken: SpokenMark | null): void {
     if (spoken?.id === this.#spoken?.id) return;
@@ -294,6 +302,8 @@ interface LaidParts {
   readonly text: TextMap;
   /** Returns the section as it is now. */
   readonly markup: () => Markup;
+  /** Returns the rules of the fonts in which it is set. */
+  readonly fontRules: () => readonly string[];
   readonly html: HTMLElement;
   readonly layoutSize: PageSize;
 }
@@ -400,6 +410,7 @@ async function layIn<T>(
     {
       text,
       markup,
+      fontRules: () => styles.flatMap((css) => css.match(fontRule) ?? []),
       html,
       layoutSize: size,
     },
