@@ -52,6 +52,7 @@ export {
   type PageSource,
   type TextPage,
   type TextRun,
+  type TitleFont,
   type Typography,
 } from "./sources/page_source.ts";
 export type { SearchHit } from "./text/searching.ts";

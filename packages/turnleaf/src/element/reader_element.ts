@@ -115,6 +115,11 @@ export abstract class ReaderElement extends ReflectingElement {
     return this.source?.isEstimated ?? false;
   }
 
+  /** Whether `pageCount` is only a guess by the size of the file: true until some of the text is read and set. */
+  get guessed(): boolean {
+    return this.source?.isGuessed ?? false;
+  }
+
   /** The book's title; empty until it is open. */
   get bookTitle(): string {
     return this.source?.title ?? "";
