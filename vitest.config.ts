@@ -8,6 +8,7 @@ import { wasmInline } from "./packages/turnleaf/wasm_inline.js";
 import { workerInline } from "./packages/turnleaf/worker_inline.js";
 import { chromiumArguments, findChromium } from "./scripts/chromium.mjs";
 import { consoleCommands } from "./scripts/console_watch.mjs";
+import { keepModules } from "./scripts/keep_modules.mjs";
 import { printingCommands } from "./scripts/printed_pdf.mjs";
 import { processCommands } from "./scripts/process_watch.mjs";
 import { requestCommands } from "./scripts/request_watch.mjs";
@@ -37,7 +38,14 @@ function inChromium(
   { setup, flags = [] }: { setup: string; flags?: string[] },
 ): TestProjectConfiguration {
   return {
-    plugins: [wasmInline(), turnInline(), packedFiles(), workerInline(), svelteFiles()],
+    plugins: [
+      keepModules(),
+      wasmInline(),
+      turnInline(),
+      packedFiles(),
+      workerInline(),
+      svelteFiles(),
+    ],
     assetsInclude: archives,
     optimizeDeps: {
       include: [
