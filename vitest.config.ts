@@ -19,8 +19,8 @@ const engines = "packages/cli/tests/engines/*.test.ts";
 /** Tests of what Chromium has behind a flag: pages that are elements, drawn while they turn. */
 const htmlInCanvas = ["packages/turnleaf/src/element/live_drawings.canvas.test.ts"];
 
-/** What the random tests read, for those that run in a browser. */
-const { TURNLEAF_SEED = "1", TURNLEAF_FUZZ = "1" } = process.env;
+/** What the random tests and those of long samples read, for those that run in a browser. */
+const { TURNLEAF_SEED = "1", TURNLEAF_FUZZ = "1", TURNLEAF_LONG = "" } = process.env;
 
 /** Archives that tests read. */
 const archives = ["**/*.rar", "**/*.7z", "**/*.cb7"];
@@ -92,7 +92,7 @@ function inChromium(
       testTimeout: 120_000,
       hookTimeout: 120_000,
       ...beside,
-      env: { TURNLEAF_SEED, TURNLEAF_FUZZ },
+      env: { TURNLEAF_SEED, TURNLEAF_FUZZ, TURNLEAF_LONG },
       setupFiles: [`packages/turnleaf/src/for_tests/${setup}`],
       browser: {
         enabled: true,
