@@ -31,7 +31,7 @@ const valueLength: readonly number[] = [0, 0, 0, 2, 4, 8, 0, 0, 2, 4, 8, 4, 8, 4
 function emptyOverlongLists(file: DataView): void {
   const isLittle = file.getUint8(0) === littleEndian;
   const seen = new Set<number>();
-  for (let at = file.getUint32(4, isLittle); !seen.has(at); ) {
+  for (let at = file.getUint32(4, isLittle); at > 0 && !seen.has(at); ) {
     seen.add(at);
     if (at + countLength > file.byteLength) return;
     const end = at + countLength + file.getUint16(at, isLittle) * entryLength;
