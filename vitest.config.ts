@@ -66,6 +66,7 @@ function inChromium(
         "three",
         "pdfjs-dist/legacy/build/pdf.mjs",
         "axe-core",
+        "chardet",
         "htmlparser2",
         "hyphen/hyphen.js",
         "hyphen/patterns/en-gb.js",

@@ -148,9 +148,11 @@ test("the first number of pages of many kinds of books is near the last", async 
     const source = await openSource(tinyEpub({ chapters, css }));
     // What is announced is what is shown.
     source.watchPages?.((change) => change());
+    // Before anything of it is set the number is not to be shown.
+    expect(source.isGuessed, kind).toBe(true);
     await (source as FlowSource).estimated;
     const first = source.pageCount;
-    expect(source.isEstimated, kind).toBe(true);
+    expect([source.isGuessed, source.isEstimated], kind).toEqual([false, true]);
     countOn();
     await source.settle?.();
     expect(source.isEstimated, kind).toBe(false);
@@ -164,6 +166,24 @@ test("the first number of pages of many kinds of books is near the last", async 
   expect(median, JSON.stringify(off)).toBeLessThan(0.05);
   expect(sorted.at(-1), JSON.stringify(off)).toBeLessThan(0.3);
 }, 60_000);
+
+test("the number of pages is estimated once the first pages are drawn", async () => {
+  const chapters = Array.from({ length: 12 }, () => prose(16));
+  holdCounting();
+  const source = await openSource(tinyEpub({ chapters }));
+  const announced = new Promise<void>((resolve) => {
+    source.watchPages?.((change) => {
+      change();
+      resolve();
+    });
+  });
+  const drawn = await Promise.all([0, 1].map((index) => source.draw(index, 100, never)));
+  for (const picture of drawn) if ("close" in picture) picture.close();
+  expect(source.isGuessed).toBe(true);
+  await announced;
+  expect([source.isGuessed, source.isEstimated]).toEqual([false, true]);
+  source.close();
+});
 
 test("a page whose number is an estimate has the text that is as far through its chapter", async () => {
   // Pieces of others are laid out first: of those at the eighths of the book.
