@@ -50,13 +50,13 @@ export async function loadTitleFont({ style, family, rules }: TitleFace): Promis
     const sheet = new CSSStyleSheet();
     sheet.replaceSync(rule);
     const { style: said } = (sheet.cssRules[0] as CSSFontFaceRule | undefined) ?? {};
-    const index = families.findIndex((name) => nameOf(name) === nameOf(valueOf(said, "family")));
+    const index = families.findIndex((name) => nameOf(name) === nameOf(saidOf(said, "family")));
     if (index < 0) continue;
     try {
-      const face = new FontFace(`${prefix}-${index}`, valueOf(said, "src"), {
-        weight: valueOf(said, "weight") || "normal",
-        style: valueOf(said, "style") || "normal",
-        unicodeRange: valueOf(said, "unicode-range") || "U+0-10FFFF",
+      const face = new FontFace(`${prefix}-${index}`, saidOf(said, "src"), {
+        weight: saidOf(said, "weight") || "normal",
+        style: saidOf(said, "style") || "normal",
+        unicodeRange: saidOf(said, "unicode-range") || "U+0-10FFFF",
       });
       document.fonts.add(await face.load());
       loaded.push(face);
@@ -79,7 +79,7 @@ export async function loadTitleFont({ style, family, rules }: TitleFace): Promis
 }
 
 /** Returns what a rule says of a font; "" for nothing. */
-function valueOf(said: CSSStyleDeclaration | undefined, name: string): string {
+function saidOf(said: CSSStyleDeclaration | undefined, name: string): string {
   const isUnprefixed = name === "src" || name === "unicode-range";
   return said?.getPropertyValue(isUnprefixed ? name : `font-${name}`) ?? "";
 }
