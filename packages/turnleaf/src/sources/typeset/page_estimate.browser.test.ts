@@ -1,5 +1,6 @@
 import { expect, test } from "vitest";
 import { countOn, holdCounting } from "../../for_tests/held_counting.ts";
+import { isLong } from "../../for_tests/long.ts";
 import { prose, tinyEpub } from "../epub/tiny_epub.ts";
 import { openSource } from "../open.ts";
 import type { FlowSource } from "./flow_source.ts";
@@ -28,7 +29,7 @@ const chapter = (k: number, body: string): string => `<h1>Chapter ${k + 1}</h1>$
 
 const wide = "山路を登りながら、こう考えた。智に働けば角が立つ。".repeat(6);
 
-/** Books of twenty kinds: their chapters and their style. */
+/** Books of twenty kinds: their chapters and their style. `make test` has every fourth of them. */
 const kinds: Readonly<
   Record<string, { readonly css?: string; readonly chapter: (k: number) => string }>
 > = {
@@ -138,9 +139,10 @@ const kinds: Readonly<
   },
 };
 
-test("the first number of pages of twenty kinds of books is near the last", async () => {
+test("the first number of pages of many kinds of books is near the last", async () => {
   const off: Record<string, number> = {};
-  for (const [kind, { css = "", chapter }] of Object.entries(kinds)) {
+  const sample = Object.entries(kinds).filter((_, k) => isLong || k % 4 === 0);
+  for (const [kind, { css = "", chapter }] of sample) {
     const title = '<div style="text-align: center"><h1>Title</h1><p>An author</p></div>';
     const chapters = [title, ...Array.from({ length: 9 }, (_, k) => chapter(k))];
     holdCounting();
@@ -161,7 +163,8 @@ test("the first number of pages of twenty kinds of books is near the last", asyn
   const sorted = Object.values(off)
     .map(Math.abs)
     .sort((a, b) => a - b);
-  expect((sorted[9] + sorted[10]) / 2, JSON.stringify(off)).toBeLessThan(0.05);
+  const median = (sorted[(sorted.length - 1) >> 1] + sorted[sorted.length >> 1]) / 2;
+  expect(median, JSON.stringify(off)).toBeLessThan(0.05);
   expect(sorted.at(-1), JSON.stringify(off)).toBeLessThan(0.3);
 }, 60_000);
 
