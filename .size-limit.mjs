@@ -50,8 +50,9 @@ const apart = [
   part(
     "reads other formats",
     // Alignment, division of words, running heads and folios; tables that are turned and split, switches; XZ.
-    243,
-    "budget clean_markup comic data_url epub fb2 font_type html_pages iiif_source kindle media_overlays names package_document packed_file parse_markup svg text_book unpacked_archive unpacker unpacker_worker.ts writing_direction xml_text zip",
+    // Packages, contents and chapters however they are written.
+    246,
+    "budget clean_markup comic data_url epub fb2 font_type html_pages iiif_source kindle legacy_names media_overlays names package_document packed_file parse_markup svg text_book unpacked_archive unpacker unpacker_worker.ts writing_direction decode_text zip",
   ),
   part("decodes TIFF and JPEG 2000", 60, "rare_images rare_size tiff_pages decoder_worker.ts"),
   part("cuts strips into pages", 2, "strips"),
@@ -63,6 +64,8 @@ const apart = [
   ),
   // Loaded for a book whose XML is not well-formed.
   part("repairs XML", 29, "repaired_xml"),
+  // Loaded for a text whose bytes are no UTF-8 and that declares nothing else: letters by language.
+  part("tells old encodings by their letters", 13, "legacy_encoding"),
   entry("standalone", 159, "standalone_* three.module"),
   entry("links", 1),
   entry("models", 195),
@@ -71,9 +74,9 @@ const apart = [
   entry("page-flip", 5),
   entry("page-flip.browser", 5),
   entry("react-pageflip", 2),
-  entry("react", 2),
-  entry("vue", 2),
-  entry("svelte/book_props", 2),
+  entry("react", 3),
+  entry("vue", 3),
+  entry("svelte/book_props", 3),
   entry("pdf-worker", 440),
 ];
 

@@ -72,11 +72,14 @@ test-rust: tools-rust
 test-js: build browsers
 	node scripts/test.mjs js
 
-# Every test of Rust, those of long samples among them, which `make test` leaves out: marked
-# `#[ignore = "long: make test-long"]`. Properties hold for SEEDS seeds, of which `make test` has eight.
+# Long samples, which `make test` leaves out. Every test of Rust, those marked
+# `#[ignore = "long: make test-long"]` among them, with SEEDS seeds, of which `make test` has eight; and the
+# files of TypeScript that ask whether they are long (for_tests/long.ts).
 SEEDS ?= 20
-test-long: tools-rust
+LONG = $(shell grep -rlE "for_tests/long|[.]/long" --include=*.test.ts packages)
+test-long: tools-rust build chromium
 	TURNLEAF_SEEDS=$(SEEDS) cargo test --no-fail-fast --quiet -- --include-ignored
+	TURNLEAF_LONG=1 npx vitest run $(LONG)
 
 check: check-rust check-js check-licences
 

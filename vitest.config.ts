@@ -8,6 +8,7 @@ import { wasmInline } from "./packages/turnleaf/wasm_inline.js";
 import { workerInline } from "./packages/turnleaf/worker_inline.js";
 import { chromiumArguments, findChromium } from "./scripts/chromium.mjs";
 import { consoleCommands } from "./scripts/console_watch.mjs";
+import { keepModules } from "./scripts/keep_modules.mjs";
 import { printingCommands } from "./scripts/printed_pdf.mjs";
 import { processCommands } from "./scripts/process_watch.mjs";
 import { requestCommands } from "./scripts/request_watch.mjs";
@@ -18,8 +19,8 @@ const engines = "packages/cli/tests/engines/*.test.ts";
 /** Tests of what Chromium has behind a flag: pages that are elements, drawn while they turn. */
 const htmlInCanvas = ["packages/turnleaf/src/element/live_drawings.canvas.test.ts"];
 
-/** What the random tests read, for those that run in a browser. */
-const { TURNLEAF_SEED = "1", TURNLEAF_FUZZ = "1" } = process.env;
+/** What the random tests and those of long samples read, for those that run in a browser. */
+const { TURNLEAF_SEED = "1", TURNLEAF_FUZZ = "1", TURNLEAF_LONG = "" } = process.env;
 
 /** Archives that tests read. */
 const archives = ["**/*.rar", "**/*.7z", "**/*.cb7"];
@@ -37,13 +38,21 @@ function inChromium(
   { setup, flags = [] }: { setup: string; flags?: string[] },
 ): TestProjectConfiguration {
   return {
-    plugins: [wasmInline(), turnInline(), packedFiles(), workerInline(), svelteFiles()],
+    plugins: [
+      keepModules(),
+      wasmInline(),
+      turnInline(),
+      packedFiles(),
+      workerInline(),
+      svelteFiles(),
+    ],
     assetsInclude: archives,
     optimizeDeps: {
       include: [
         "three",
         "pdfjs-dist/legacy/build/pdf.mjs",
         "axe-core",
+        "chardet",
         "htmlparser2",
         "hyphen/hyphen.js",
         "hyphen/patterns/en-gb.js",
@@ -84,7 +93,7 @@ function inChromium(
       testTimeout: 120_000,
       hookTimeout: 120_000,
       ...beside,
-      env: { TURNLEAF_SEED, TURNLEAF_FUZZ },
+      env: { TURNLEAF_SEED, TURNLEAF_FUZZ, TURNLEAF_LONG },
       setupFiles: [`packages/turnleaf/src/for_tests/${setup}`],
       browser: {
         enabled: true,

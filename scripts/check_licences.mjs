@@ -44,6 +44,7 @@ const shipped = new Set([
   "@zip.js/zip.js",
   "dompurify",
   "foliate-js",
+  "chardet",
   "fzstd",
   "hyphen",
   "image-size",

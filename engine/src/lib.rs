@@ -32,6 +32,7 @@ mod anchors;
 mod band;
 pub mod book;
 mod contact;
+mod creased_only;
 mod drawn_mesh;
 mod gesture;
 mod grab;

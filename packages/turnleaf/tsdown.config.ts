@@ -60,6 +60,7 @@ const viewer = defineConfig({
       "marked",
       "htmlparser2",
       "entities",
+      "chardet",
       "fzstd",
       "hyphen",
     ],

@@ -23,7 +23,7 @@ impl FlapOrder {
 
     /// The order of a leaf's parts and those of its neighbour on the right.
     pub fn of(left: Mesh<'_>, right: Mesh<'_>) -> FlapOrder {
-        if left.folds.turned_over.is_empty() && right.folds.turned_over.is_empty() {
+        if !left.folds.turn_over() && !right.folds.turn_over() {
             return FlapOrder::NONE;
         }
         // A leaf on the left has its verso up, one on the right its recto.

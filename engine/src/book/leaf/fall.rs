@@ -7,7 +7,6 @@ use crate::book::limits::{MAX_GRABS, NODES, TICK};
 use crate::book::phase::Phase;
 use crate::contact::flaps::Flaps;
 use crate::grid::Side;
-use crate::models::sheet::CAN_CREASE;
 
 /// A leaf nearer to rest than this part of its width and slower than this (m/s, of one of the usual
 /// width) everywhere is eased to rest within `SETTLE_SECONDS`; so is one of the usual width that
@@ -129,7 +128,7 @@ impl Leaf {
 
     /// Whether folds, its own or those under it, may keep it from lying flat.
     pub(super) fn may_be_held_up(&self) -> bool {
-        CAN_CREASE && (self.is_held_up || self.sheet.is_creased())
+        self.is_held_up || self.sheet.is_creased()
     }
 
     /// Whether a leaf lies on its side as still as it will: what folds hold up rests above the

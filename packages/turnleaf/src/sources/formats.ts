@@ -408,6 +408,9 @@ function isFictionBook({ text }: FirstBytes): boolean {
 // biome-ignore lint/suspicious/noControlCharactersInRegex: these are looked for
 const strangeControls = /[\x00-\x06\x10-\x19\x1c-\x1f\x7f]/g;
 
+/** What text in UTF-16 without its mark begins with. */
+const wideLetters = /^(?:[\t-~]\0){2}|^(?:\0[\t-~]){2}/;
+
 /** Bytes of text, at least, for each of these, unless the media type says text: code has one in fewer. */
 const leastText = 10;
 
@@ -419,7 +422,8 @@ const leastText = 10;
 function isText({ start, type, text }: FirstBytes): boolean {
   if (start.length === 0) return false;
   if (/^(\xff\xfe|\xfe\xff)/.test(text)) return true;
-  if (start.includes(0)) return false;
+  // Letters of ASCII in UTF-16.
+  if (start.includes(0)) return type.startsWith("text/") && wideLetters.test(text);
   const strange = text.match(strangeControls)?.length ?? 0;
   if (strange * leastText > start.length && !type.startsWith("text/")) return false;
   try {

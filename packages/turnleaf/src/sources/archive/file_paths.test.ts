@@ -28,6 +28,8 @@ test.each([
   ["../../../OEBPS/text/One.xhtml", "OEBPS/text/One.xhtml"],
   ["%C3%B6.xhtml", "OEBPS/o\u0308.xhtml"],
   ["../a\u0308pfel.png", "Äpfel.png"],
+  ["text%252FOne%252Exhtml", "OEBPS/text/One.xhtml"],
+  ["../%C4pfel.png", "Äpfel.png"],
   ["", null],
   ["#id", null],
   ["none.xhtml", null],

@@ -33,9 +33,12 @@ export class FilePaths {
     const [path = ""] = whole.split("?", 1);
     if (path === "") return null;
     if (withScheme.test(whole)) return this.#named(joined(whole, from));
-    for (const one of new Set([path, whole])) {
-      const name = this.#named(joined(decoded(one), from)) ?? this.#named(joined(one, from));
-      if (name !== null) return name;
+    for (const one of [path, whole]) {
+      // Some programs escape what is escaped already.
+      for (const meant of [decoded(one), one, decoded(decoded(one))]) {
+        const name = this.#named(joined(meant, from));
+        if (name !== null) return name;
+      }
     }
     return null;
   }
@@ -65,13 +68,17 @@ function joined(path: string, from: string): string {
   return steps.join("/");
 }
 
-/** Returns an address with those of its escapes decoded that are text. */
+/** Returns an address with its escapes decoded: as UTF-8, or as systems of Western Europe once wrote them. */
 function decoded(address: string): string {
   return address.replace(escapes, (run) => {
     try {
       return decodeURIComponent(run);
     } catch {
-      return run;
+      const bytes = run
+        .slice(1)
+        .split("%")
+        .map((byte) => Number.parseInt(byte, 16));
+      return new TextDecoder("windows-1252").decode(Uint8Array.from(bytes));
     }
   });
 }

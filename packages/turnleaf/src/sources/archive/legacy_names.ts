@@ -41,14 +41,19 @@ export function legacyNames(raw: readonly Uint8Array[], usual: readonly string[]
 function namesIn(raw: readonly Uint8Array[]): string[] | null {
   const utf8 = decodedAs("utf-8", raw);
   if (utf8) return utf8;
-  let best: { readonly names: string[]; readonly fit: number } | null = null;
+  const encoding = eastAsianEncoding(raw);
+  return encoding === null ? null : decodedAs(encoding, raw);
+}
+
+/** Returns the encoding of East Asia that fits texts best, all of them; null if none does. */
+export function eastAsianEncoding(raw: readonly Uint8Array[]): string | null {
+  let best: { readonly name: string; readonly fit: number } | null = null;
   for (const { name, isCommon } of encodings) {
-    const names = decodedAs(name, raw);
-    if (!names) continue;
+    if (!decodedAs(name, raw)) continue;
     const fit = commonIn(raw, isCommon);
-    if (fit >= leastCommon && fit > (best?.fit ?? 0)) best = { names, fit };
+    if (fit >= leastCommon && fit > (best?.fit ?? 0)) best = { name, fit };
   }
-  return best?.names ?? null;
+  return best?.name ?? null;
 }
 
 /** Returns names in an encoding; null if one of them is not in it. */

@@ -2,6 +2,7 @@
 
 import type { Archive } from "../archive/archive.ts";
 import { cleanText } from "../book_text.ts";
+import { decodeText } from "../decode_text.ts";
 import { archiveOfName, formatOfName, imageType, rareImageType, sniffLength } from "../formats.ts";
 import { claimedSize, sizeFromHeader, typedImage } from "../image_header.ts";
 import { ImageSource } from "../images.ts";
@@ -16,7 +17,6 @@ import {
   type StripImage,
 } from "../strip_pages.ts";
 import { WarningList, warningOf } from "../warnings.ts";
-import { decodeXml } from "../xml_text.ts";
 import { type ComicInfo, noInfo, readComicInfo } from "./comic_info.ts";
 
 /** Returns whether a name says that a file is an image. */
@@ -171,7 +171,7 @@ async function readInfo(archive: Archive, damaged: (path: string) => void): Prom
   const name = archive.names.find((path) => /^([^/]+\/)?ComicInfo\.xml$/i.test(path));
   if (name === undefined) return noInfo;
   try {
-    return await readComicInfo(decodeXml(await archive.read(name, infoBytes)));
+    return await readComicInfo(await decodeText(await archive.read(name, infoBytes)));
   } catch {
     // It is about the pages; without it they are still there.
     damaged(name);

@@ -2,9 +2,9 @@
 
 import type { Archive } from "../archive/archive.ts";
 import { FilePaths } from "../archive/file_paths.ts";
+import { decodeText } from "../decode_text.ts";
 import { limits } from "../limits.ts";
 import { readMarkup } from "../markup/read_markup.ts";
-import { decodeXml } from "../xml_text.ts";
 import { containerName, packageName } from "./epub_names.ts";
 
 /** Returns the folder of an archive in which an EPUB's files are, with "/" at its end; "" for all of it. */
@@ -21,7 +21,7 @@ export async function packageOf(archive: Archive): Promise<string | null> {
   const paths = new FilePaths(names);
   const path = shortest(names, containerName);
   const bytes = path === undefined ? null : await archive.read(path, limits.markupBytes);
-  const document = bytes && (await readMarkup(decodeXml(bytes), "application/xml")).document;
+  const document = bytes && (await readMarkup(await decodeText(bytes), "application/xml")).document;
   for (const root of document?.getElementsByTagNameNS("*", "rootfile") ?? []) {
     const type = root.getAttribute("media-type") ?? "";
     const named = paths.resolve(root.getAttribute("full-path") ?? "", "");

@@ -34,6 +34,7 @@ import { isRightToLeft } from "../typeset/writing_direction.ts";
 import { warningOf } from "../warnings.ts";
 import { type Chapter, loadChapter, sizeIn } from "./chapter.ts";
 import { folderOfEpub, packageOf } from "./container.ts";
+import { plainContents } from "./contents_document.ts";
 import { coverOf } from "./cover.ts";
 import { EpubFiles } from "./epub_files.ts";
 import { dublinCore } from "./legacy_package.ts";
@@ -105,8 +106,8 @@ async function readEpub(archive: Archive, file: Blob, name: string): Promise<Flo
   });
   epub.parser = {
     parseFromString: (text, type) => {
-      const document = checkPackage(parseMarkup(text, type as MarkupType), name);
-      return withPicturesInWords(named.mark(document, reading));
+      const document = checkPackage(parseMarkup(text, type as MarkupType), name, archive.names);
+      return plainContents(named.mark(document, reading));
     },
   };
   await epub.init();
@@ -131,8 +132,10 @@ async function readEpub(archive: Archive, file: Blob, name: string): Promise<Flo
   }
   const manifest = { items, fallbacks };
   const byPath = new Map(listed.map((item) => [item.href, item]));
+  const version = Number.parseFloat(resources.opf.documentElement.getAttribute("version") ?? "");
   const files = new EpubFiles(archive, decoder.decode, {
-    isListed: (path) => byPath.has(path),
+    // EPUB 3 forbids to show what is not listed; books from before it often list less than they have.
+    isListed: (path) => byPath.has(path) || !(version >= 3),
     typeOf: (path) => byPath.get(path)?.mediaType ?? "",
     shownFor: (path) => {
       const item = byPath.get(path);
@@ -158,7 +161,8 @@ async function readEpub(archive: Archive, file: Blob, name: string): Promise<Flo
       const isFixed = own && !isRoll ? own === "rendition:layout-pre-paginated" : isFixedBook;
       const flow = isRoll ? "scrolled-continuous" : isFixed ? "" : flowOf(has, rendition.flow);
       const side = isRoll ? undefined : sideOf(has, isFixed);
-      return [{ ...item, missing, isFixed, isAside: linear === "no", side, flow }];
+      const listedAs = found[0]?.href ?? "";
+      return [{ ...item, listedAs, missing, isFixed, isAside: linear === "no", side, flow }];
     });
   const chapters = await withPagesOfPictures(listedChapters, files);
   // What is beside the way of reading comes last; but a cover before all of it is the first page.
@@ -183,7 +187,7 @@ async function readEpub(archive: Archive, file: Blob, name: string): Promise<Flo
     ? null
     : await coverOf(isReadable ? first : null, picture, files, (path) => archive.size(path));
   if (cover && !cover.isFirst) {
-    const about = { missing: "", isAside: false, side: undefined, flow: "", page: 0 };
+    const about = { listedAs: "", missing: "", isAside: false, side: undefined, flow: "", page: 0 };
     ordered.unshift({ id: "", ...cover.chapter, ...about });
   }
   const rolls = rollsOf(ordered);
@@ -208,8 +212,9 @@ async function readEpub(archive: Archive, file: Blob, name: string): Promise<Flo
   });
   const indices = new Map<string, number>();
   // A chapter that comes twice is the first one for links.
-  ordered.forEach(({ href }, index) => {
-    if (!indices.has(href)) indices.set(href, index);
+  ordered.forEach(({ href, listedAs }, index) => {
+    // So is one that is shown in place of another.
+    for (const one of [href, listedAs]) if (!indices.has(one)) indices.set(one, index);
   });
   const targetOf = (address: string, from: string): FlowTarget | null => {
     const [path = "", id = ""] = address.split("#", 2);
@@ -391,14 +396,6 @@ function pictureFor(manifest: Manifest, item: ManifestItem): string {
   const isShown = /^image\/(svg\+xml|png|jpeg|gif|webp|avif)$/;
   const shown = withFallbacks(manifest, item.id).find(({ mediaType }) => isShown.test(mediaType));
   return shown?.href ?? item.href;
-}
-
-/** Replaces the pictures in lines of contents by what they show in words, and returns the document. */
-function withPicturesInWords(document: Document): Document {
-  for (const image of document.querySelectorAll("nav li img[alt]")) {
-    image.replaceWith(image.getAttribute("alt") ?? "");
-  }
-  return document;
 }
 
 /** Returns the direction of an element of the metadata: its own, or else the package's. */

@@ -1,6 +1,7 @@
 import type { Archive } from "../archive/archive.ts";
 import { FilePaths } from "../archive/file_paths.ts";
 import { dataUrl } from "../data_url.ts";
+import { decodeText } from "../decode_text.ts";
 import { fontType } from "../font_type.ts";
 import { limits } from "../limits.ts";
 import { loadPart } from "../load_part.ts";
@@ -9,7 +10,6 @@ import type { MarkupFiles } from "../markup/clean_markup.ts";
 import { checkedData } from "../markup/data_address.ts";
 import type { TiffPage } from "../rare_images/tiff_pages.ts";
 import { pictureData } from "../showable_image.ts";
-import { decodeXml } from "../xml_text.ts";
 import { KeptValues } from "./kept_values.ts";
 
 /** Characters that are kept between chapters, of pictures and fonts and of style sheets each. */
@@ -64,7 +64,7 @@ export class EpubFiles {
   /** Returns a file's text. Rejects with a `BookError`. */
   async text(path: string): Promise<string> {
     const bytes = await this.#archive.read(path, limits.markupBytes);
-    return decodeXml(bytes);
+    return await decodeText(bytes);
   }
 
   /** Returns the files that one file names, by addresses relative to it. */

@@ -4,7 +4,7 @@ const opf = "http://www.idpf.org/2007/opf";
 
 /** The namespace of titles and names in a package, and what it began with in every version. */
 export const dublinCore = "http://purl.org/dc/elements/1.1/";
-const anyDublinCore = "http://purl.org/dc/elements/";
+const anyDublinCore = /^http:\/\/purl\.org\/(?:dc\/elements\/|metadata\/dublin_core)/;
 
 /** Elements within the metadata around parts of them. */
 const wrapping = /^(dc|x)-metadata$/;
@@ -15,7 +15,7 @@ export function modernPackage(document: Document): Element {
   const { namespaceURI: own } = root;
   for (const element of [...document.getElementsByTagName("*")]) {
     const { namespaceURI: namespace, localName } = element;
-    if (namespace?.startsWith(anyDublinCore)) {
+    if (anyDublinCore.test(namespace ?? "")) {
       renamed(element, dublinCore, localName.toLowerCase());
     } else if (namespace === own && wrapping.test(localName)) {
       element.replaceWith(...element.childNodes);

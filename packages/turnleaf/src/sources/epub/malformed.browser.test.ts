@@ -1,7 +1,9 @@
 /** Markup that is not well-formed: books of strangers, each of which failed once, and others of their kind. */
 
+import { unzipSync, zipSync } from "fflate";
 import { expect, test } from "vitest";
 import { closeBooks, laidOut, pagesOf, wordsOf } from "../../for_tests/laid_out_books.ts";
+import { openSource } from "../open.ts";
 import { tinyEpub } from "./tiny_epub.ts";
 
 const never = new AbortController().signal;
@@ -61,6 +63,17 @@ test.each([
   ["</p></div><p>ends without beginnings</p></span>", "ends without beginnings"],
   ["<!-- a -- b --><p>a comment&nbsp;</p>", "a comment"],
   ["<p>\u0001\uffff&#1;&#xFFFE;&#x110000;control</p>", "control"],
+  ["<p>one</p><![CDATA[ <b> & ]]><p>two</p>", "one <b> & two"],
+  ["<p>&#147;quoted&#x94; \u0085 &#x97;</p>", "“quoted” … —"],
+  ["<p>&#xD83D;&#xDE00; &#55357;&#56832; &#xD83D;</p>", "😀 😀"],
+  [
+    "<p>if a < b then x<y and z<a.b <b>bold</b></p><p title='a<b'>c</p>",
+    "if a < b then x<y and z<a.b bold c",
+  ],
+  ["<P Class='a'>one<BR/>two</P><P>three</P>", "one two three"],
+  ["<noscript><p>one</p></noscript><xmp>two</xmp>", "one two"],
+  ["<p>one</p></body><body><p>two</p></body><p>three</p><body>", "one two three"],
+  ["<p>one&nbsp;</p></body></html><p>two</p>three<html><body>", "one two three"],
 ])("%j", async (body, text) => {
   const source = await laidOut(tinyEpub({ chapters: [xhtml(body), "<p>next</p>"] }));
   const page = await wordsOf(source, 0);
@@ -79,6 +92,22 @@ test("a chapter that breaks off says so above what there is of it", async () => 
 test("elements that lie deeper than any parser of HTML goes are read as a web page", async () => {
   const deep = xhtml(`${"<div>".repeat(3000)}&nbsp;deep`);
   expect(await wordsOf(await laidOut(tinyEpub({ chapters: [deep] })), 0)).toContain("deep");
+});
+
+test("a chapter behind another's end is part of it, and nothing of it is damaged", async () => {
+  const two = `${xhtml("<p>one</p>")}\n${xhtml("<p>two</p>")}\0`;
+  expect(await wordsOf(await laidOut(tinyEpub({ chapters: [two] })), 0)).toBe("one two");
+});
+
+test("a chapter in an old encoding that it names as web pages do, or not at all", async () => {
+  const russian = [0xcf, 0xf0, 0xe8, 0xe2, 0xe5, 0xf2, 0x20, 0xec, 0xe8, 0xf0];
+  for (const head of ['<meta charset="windows-1251"/>', ""]) {
+    const [before, after] = xhtml("<p>|</p>").replace("<title>", `${head}<title>`).split("|");
+    const encoder = new TextEncoder();
+    const chapter = [...encoder.encode(before), ...russian, ...encoder.encode(after)];
+    const raw = { "OEBPS/c1.xhtml": Uint8Array.from(chapter) };
+    expect(await wordsOf(await laidOut(tinyEpub({ chapters: ["x"], raw })), 0)).toBe("Привет мир");
+  }
 });
 
 test.each([
@@ -124,4 +153,60 @@ test.each([
     },
   });
   expect(await pagesOf(await laidOut(epub))).toEqual(["two", "one"]);
+});
+
+/** A package of two chapters. */
+const twoChapters =
+  '<package xmlns="http://www.idpf.org/2007/opf" version="2.0"><metadata/><manifest><item id="a" href="c1.xhtml" media-type="application/xhtml+xml"/><item id="b" href="c2.xhtml" media-type="application/xhtml+xml"/></manifest><spine><itemref idref="a"/><itemref idref="b"/></spine></package>';
+
+test.each([
+  ["items without ends", /xml"\/>/g, 'xml">'],
+  ["lists without ends", /<\/metadata>|<\/manifest>|<metadata\/>/g, "<metadata>"],
+  [
+    "types in capitals, with parameters",
+    /application\/xhtml\+xml/g,
+    "Application/XHTML+XML; charset=utf-8",
+  ],
+  ["types that say nothing", /application\/xhtml\+xml/, "application/octet-stream"],
+  ["items without types", / media-type="[^"]*"/g, ""],
+  ["items of one id", /"b"/g, '"a"'],
+  ["ids with blanks", /idref="a"/g, 'idref=" a "'],
+  ["addresses of places in files", /xhtml" /g, 'xhtml#start" '],
+  ["neither items nor lines", /<manifest>.*<\/spine>/g, ""],
+])("a package that has %s is read", async (_, found, written) => {
+  const raw = { "OEBPS/package.opf": twoChapters.replace(found, written) };
+  const files = unzipSync(tinyEpub({ chapters: ["<p>one</p>", "<p>two</p>"], raw }));
+  delete files["OEBPS/nav.xhtml"];
+  const source = await laidOut(zipSync(files) as Uint8Array<ArrayBuffer>);
+  expect(await pagesOf(source)).toEqual(["one", "two"]);
+});
+
+test("a package that lists nothing in an archive without chapters is rejected", async () => {
+  const raw = { "OEBPS/package.opf": "<package/>" };
+  const files = unzipSync(tinyEpub({ chapters: [], raw }));
+  delete files["OEBPS/nav.xhtml"];
+  const book = new Blob([zipSync(files) as Uint8Array<ArrayBuffer>]);
+  await expect(openSource(book)).rejects.toThrow("this book has no chapters; get it again.");
+});
+
+test("an item that names no file is a page that says so", async () => {
+  const raw = { "OEBPS/package.opf": twoChapters.replace('"c1.xhtml"', '""') };
+  const source = await laidOut(tinyEpub({ chapters: ["<p>one</p>", "<p>two</p>"], raw }));
+  await expect(source.draw(0, 50, never)).rejects.toThrow(
+    "this book has a chapter “a” of which it names no file; get the book again.",
+  );
+});
+
+test("a file that is not listed is shown in books from before EPUB 3, which forbids it", async () => {
+  const style = "p { font-size: 40px }";
+  const heights: number[] = [];
+  for (const version of ["2.0", "3.0"]) {
+    const raw = {
+      "OEBPS/package.opf": twoChapters.replace("2.0", version),
+      "OEBPS/style.css": style,
+    };
+    const source = await laidOut(tinyEpub({ chapters: ["<p>one</p>", "<p>two</p>"], raw }));
+    heights.push((await source.text?.(0, never))?.[0]?.height ?? 0);
+  }
+  expect(heights[0]).toBeGreaterThan(1.5 * (heights[1] ?? 0));
 });

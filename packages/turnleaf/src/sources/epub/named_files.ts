@@ -48,7 +48,9 @@ export class NamedFiles {
       const name = this.#paths.resolve(address, from);
       if (name === null) continue;
       const [, fragment] = address.split("#", 2);
-      const behind = fragment === undefined ? "" : `#${fragment}`;
+      // An item of the manifest is a file, whatever place in it is named.
+      const isWhole = fragment === undefined || element.localName === "item";
+      const behind = isWhole ? "" : `#${fragment}`;
       element.setAttribute(attribute, `/${this.markOf(name)}${behind}`);
     }
     return document;

@@ -2,6 +2,7 @@
 
 import { bytesOf } from "../book_file.ts";
 import { cleanLanguage, cleanText, decodeEscapes } from "../book_text.ts";
+import { decodeText } from "../decode_text.ts";
 import { unknownFailure } from "../failures.ts";
 import { limits } from "../limits.ts";
 import { cleanMarkup, type MarkupFiles } from "../markup/clean_markup.ts";
@@ -20,7 +21,6 @@ import { FlowSource } from "../typeset/flow_source.ts";
 import { coverSection } from "../typeset/lone_picture.ts";
 import { linesIn } from "../typeset/page_estimate.ts";
 import { isRightToLeft } from "../typeset/writing_direction.ts";
-import { decodeXml } from "../xml_text.ts";
 
 const xhtml = "http://www.w3.org/1999/xhtml";
 const epub = "http://www.idpf.org/2007/ops";
@@ -92,7 +92,7 @@ export async function openFb2(
   typography?: Typography,
 ): Promise<PageSource> {
   try {
-    const book = await readFb2(decodeXml(await bytesOf(file, name)), file, name);
+    const book = await readFb2(await decodeText(await bytesOf(file, name)), file, name);
     return await FlowSource.open(book, typography);
   } catch (error) {
     throw unknownFailure(

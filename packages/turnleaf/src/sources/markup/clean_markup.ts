@@ -142,26 +142,38 @@ export async function cleanMarkup(
 }
 
 /**
- * Returns the root as an `<html>` with a `<body>`, its elements without prefixes. Those of other languages of
- * markup among the text, whose text browsers show, become elements that mean nothing; those of none are HTML's.
+ * Returns the root as an `<html>` with one `<body>`, its elements without prefixes and in small letters. Those
+ * of other languages of markup among the text, whose text browsers show, become elements that mean nothing;
+ * those of none are HTML's.
  */
 function inHtml(document: Document): Element {
   let root = document.documentElement;
   for (const element of [...document.getElementsByTagName("*")]) {
-    const { namespaceURI: own, prefix, localName, parentElement } = element;
+    const { namespaceURI: own, prefix, parentElement } = element;
     const isKnown = namespaces.includes(own ?? "");
-    if (isKnown ? prefix === null : parentElement?.namespaceURI !== xhtml) continue;
+    const localName = own === xhtml ? element.localName.toLowerCase() : element.localName;
+    const isPlain = prefix === null && localName === element.localName;
+    if (isKnown ? isPlain : parentElement?.namespaceURI !== xhtml) continue;
     const plain = isKnown
       ? document.createElementNS(own, localName)
       : document.createElementNS(xhtml, own === null ? localName : "span");
     for (const { namespaceURI, name, value } of element.attributes) {
-      if (!name.startsWith("xmlns")) plain.setAttributeNS(namespaceURI, name, value);
+      const plainName = localName === element.localName ? name : name.toLowerCase();
+      if (!name.startsWith("xmlns")) plain.setAttributeNS(namespaceURI, plainName, value);
     }
     plain.append(...element.childNodes);
     element.replaceWith(plain);
     if (element === root) root = plain as HTMLElement;
   }
-  if (root.localName !== "html") {
+  keepText(root);
+  if (root.localName === "html") {
+    const head = root.querySelector(":scope > head");
+    const body = root.querySelector(":scope > body") ?? document.createElementNS(xhtml, "body");
+    const others = [...root.childNodes].filter((node) => node !== head);
+    const contents = others.flatMap((node) => (isBody(node) ? [...node.childNodes] : [node]));
+    body.append(...contents.filter((node) => node !== body));
+    root.replaceChildren(...(head ? [head] : []), body);
+  } else {
     const html = document.createElementNS(xhtml, "html");
     const body = document.createElementNS(xhtml, "body");
     root.replaceWith(html);
@@ -171,6 +183,24 @@ function inHtml(document: Document): Element {
   }
   root.querySelector(":scope > head > title")?.remove();
   return root;
+}
+
+const isBody = ({ nodeName }: Node): boolean => nodeName === "body" || nodeName === "BODY";
+
+/** Puts elements and text that are kept in place of those that mean the same and would be left out with their text. */
+function keepText(root: Element): void {
+  const { ownerDocument } = root;
+  const data = ownerDocument.createTreeWalker(root, NodeFilter.SHOW_CDATA_SECTION);
+  const sections: CharacterData[] = [];
+  while (data.nextNode()) sections.push(data.currentNode as CharacterData);
+  for (const section of sections) section.replaceWith(section.data);
+  // No script runs.
+  for (const other of root.querySelectorAll("noscript")) other.replaceWith(...other.childNodes);
+  for (const old of root.querySelectorAll("xmp, plaintext, listing")) {
+    const pre = ownerDocument.createElementNS(xhtml, "pre");
+    pre.append(...old.childNodes);
+    old.replaceWith(pre);
+  }
 }
 
 /** Returns a document's style sheets in order, cleaned. */

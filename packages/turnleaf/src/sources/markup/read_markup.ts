@@ -5,6 +5,9 @@ import { errorIn, type MarkupType, parseMarkup } from "./parse_markup.ts";
 
 const xhtml = "http://www.w3.org/1999/xhtml";
 
+/** Control characters that no text has, by themselves or by number: letters of Windows' encoding that were taken for Unicode. */
+const windowsLetters = /[\u0080-\u009f]|&#(1(?:2[89]|[345]\d)|x[89][\da-f]);/gi;
+
 /** A document as it was read. */
 export interface ReadMarkup {
   readonly document: Document;
@@ -24,9 +27,10 @@ function isForeign({ localName, namespaceURI }: Element): boolean {
  * XML are read as browsers read web pages.
  */
 export async function readMarkup(
-  text: string,
+  source: string,
   type: Exclude<MarkupType, "text/html">,
 ): Promise<ReadMarkup> {
+  const text = source.replace(windowsLetters, letterOf);
   const document = parseMarkup(text, type);
   const error = errorIn(document);
   const isHtml = type === "application/xhtml+xml";
@@ -41,4 +45,10 @@ export async function readMarkup(
     }
   }
   return { document: isHtml ? parseMarkup(text, "text/html") : document, text, ...damaged };
+}
+
+/** Returns the letter that a control character, or a reference to one, stands for. */
+function letterOf(control: string, number?: string): string {
+  const code = number ? Number(number.replace(/^x/i, "0x")) : control.charCodeAt(0);
+  return new TextDecoder("windows-1252").decode(Uint8Array.of(code));
 }

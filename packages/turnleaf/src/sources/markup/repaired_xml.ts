@@ -35,6 +35,19 @@ const xmlName = /^(?:([A-Z_a-z][\w.-]*):)?[A-Z_a-z][\w.-]*$/;
 /** A reference to a character; or a character that has to be one. */
 const reference = /&(?:#(\d{1,7}|x[\da-f]{1,6})|([a-z][\da-z]{0,31}));|[&<>"]/gi;
 
+/** Two references to the halves of a character, as programs write them that count in these. */
+const halves = /&#(xd[89ab][\da-f]{2}|5[56]\d{3});&#(xd[c-f][\da-f]{2}|5[67]\d{3});/gi;
+
+/** What is within tags alone, and what a tag begins with. */
+const [ofTags, tagName] = [/[>"'=]/, /^\/?([a-z][\w-]*)(?![^\s/])/i];
+
+/** What begins and ends what is neither text nor a tag. */
+const others: readonly (readonly [begin: string, end: string])[] = [
+  ["<!--", "-->"],
+  ["<![CDATA[", "]]>"],
+  ["<?", ">"],
+];
+
 /** Characters that XML knows by name. */
 const escapes: Readonly<Record<string, string>> = {
   "&": "&amp;",
@@ -45,6 +58,9 @@ const escapes: Readonly<Record<string, string>> = {
 
 /** An element that is the root of a document of HTML. */
 const documentElement = /^(?:[\w.-]+:)?(?:html|svg)$/;
+
+/** Elements of HTML that go on to the end of their document, whatever stands behind their ends. */
+const lasting = /^(?:html|body)$/;
 
 /** Elements within each other, at most, as parsers of HTML have it: each end is looked for in all of them. */
 const deepest = 512;
@@ -76,7 +92,8 @@ export function repairedXml(text: string, isHtml: boolean): RepairedXml | null {
     decodeEntities: false,
   });
   try {
-    parser.write(text);
+    const whole = withWholeCharacters(text);
+    parser.write(isHtml ? withEscapedSigns(whole) : whole);
   } catch (error) {
     if (writer.isTooDeep) return null;
     throw error;
@@ -86,12 +103,47 @@ export function repairedXml(text: string, isHtml: boolean): RepairedXml | null {
   return { xml: writer.xml(), isCutOff };
 }
 
+/** Returns a document in which halves of a character are one. */
+function withWholeCharacters(text: string): string {
+  return text.replace(halves, (all, first: string, second: string) => {
+    const [high, low] = [first, second].map((one) => Number(one.replace(/^x/i, "0x")));
+    const character = String.fromCharCode(high as number, low as number);
+    return /\p{Surrogate}/u.test(character) ? all : character;
+  });
+}
+
+/** Returns a document of HTML in which signs that begin no tag, though letters follow, are escaped. */
+function withEscapedSigns(text: string): string {
+  const parts: string[] = [];
+  let written = 0;
+  for (let at = text.indexOf("<"); at >= 0; ) {
+    const other = others.find(([begin]) => text.startsWith(begin, at));
+    const next = text.indexOf("<", other ? text.indexOf(other[1], at) : at + 1);
+    // What is never ended goes on to the end.
+    if (next <= at) break;
+    const run = text.slice(at + 1, next);
+    if (!other && !ofTags.test(run) && !isElementName(tagName.exec(run)?.[1])) {
+      parts.push(text.slice(written, at), "&lt;");
+      written = at + 1;
+    }
+    at = next;
+  }
+  return parts.join("") + text.slice(written);
+}
+
+/** Returns whether a name is that of an element of HTML. */
+function isElementName(name: string | undefined): boolean {
+  return name !== undefined && !(document.createElement(name) instanceof HTMLUnknownElement);
+}
+
 /** Writes what a parser finds. */
 class XmlWriter {
   readonly #isHtml: boolean;
   readonly #written: string[] = [];
   /** The names of open elements; null for one whose name is none in XML. */
   readonly #open: (string | null)[] = [];
+  /** The ends of elements that go on to the end of the document, in the order of their beginnings. */
+  readonly #lastEnds: string[] = [];
   readonly #used = new Set<string>();
   readonly #declared = new Set<string>(["xml", "xmlns"]);
   readonly #named = new Map<string, string>();
@@ -112,7 +164,7 @@ class XmlWriter {
   }
 
   get #isInside(): boolean {
-    return this.isWrapped || (this.#hasRoot && this.isOpen);
+    return this.isWrapped || this.#lastEnds.length > 0 || (this.#hasRoot && this.isOpen);
   }
 
   xml(): string {
@@ -122,7 +174,8 @@ class XmlWriter {
     );
     const [root = "", ...rest] = this.#written;
     const end = this.isWrapped ? "</body></html>" : "";
-    return root.replace(/>$/, `${namespaces.join("")}>`) + rest.join("") + end;
+    const ends = this.#lastEnds.reverse().join("");
+    return root.replace(/>$/, `${namespaces.join("")}>`) + rest.join("") + ends + end;
   }
 
   onopentag(name: string, attributes: Readonly<Record<string, string>>): void {
@@ -131,7 +184,7 @@ class XmlWriter {
       this.isWrapped = this.#hasRoot = true;
     }
     const isRoot = !this.#hasRoot;
-    // A second root is no XML, and neither is text beside one.
+    // A second root is no XML, and neither is text beside one; in HTML they are part of the first.
     const isWritten = this.#use(name) && (isRoot || this.#isInside);
     this.#open.push(isWritten ? name : null);
     if (this.#open.length > deepest) {
@@ -152,11 +205,16 @@ class XmlWriter {
       ...(namespace && { xmlns: namespace }),
     }).map(([attribute, value]) => ` ${attribute}="${this.#meant(value)}"`);
     this.#written.push(`<${name}${tag.join("")}>`);
+    if (this.#isLasting(name)) this.#lastEnds.push(`</${name}>`);
   }
 
   onclosetag(): void {
     const name = this.#open.pop();
-    if (name) this.#written.push(`</${name}>`);
+    if (name && !this.#isLasting(name)) this.#written.push(`</${name}>`);
+  }
+
+  #isLasting(name: string): boolean {
+    return this.#isHtml && lasting.test(name);
   }
 
   ontext(data: string): void {

@@ -57,6 +57,23 @@ test.each([
   source.close();
 });
 
+test.each([
+  ["windows-1251", [0xcf, 0xf0, 0xe8, 0xe2, 0xe5, 0xf2, 0x20, 0xec, 0xe8, 0xf0], "Привет мир"],
+  ["KOI8-R", [0xf0, 0xd2, 0xc9, 0xd7, 0xc5, 0xd4, 0x20, 0xcd, 0xc9, 0xd2], "Привет мир"],
+  ["GBK", [0xc4, 0xe3, 0xba, 0xc3, 0xca, 0xc0, 0xbd, 0xe7], "你好世界"],
+  ["Shift_JIS", [0x93, 0xfa, 0x96, 0x7b, 0x8c, 0xea, 0x82, 0xcc], "日本語の"],
+  [
+    "Windows' of Western Europe",
+    [0x49, 0x74, 0x92, 0x73, 0x20, 0x64, 0x6f, 0x6e, 0x92, 0x74],
+    "It’s don’t",
+  ],
+  ["UTF-16 without its mark", [0x43, 0, 0x61, 0, 0x66, 0, 0xe9, 0], "Café"],
+])("text in %s, which it does not say, is read", async (_, bytes, text) => {
+  const source = await open(Uint8Array.from(bytes), "a.txt", "text/plain");
+  expect((await textOf(source)).trim()).toBe(text);
+  source.close();
+});
+
 test("text of a million characters is read whole, in parts", async () => {
   const source = await open(plain.repeat(90).slice(0, 1_000_000), "long.txt");
   expect(source.pageCount).toBeGreaterThan(300);

@@ -3,6 +3,7 @@
 import type { Token, Tokens } from "marked";
 import { bytesOf } from "../book_file.ts";
 import { cleanText, decodeEscapes } from "../book_text.ts";
+import { decodeText } from "../decode_text.ts";
 import { limits } from "../limits.ts";
 import { cleanMarkup } from "../markup/clean_markup.ts";
 import { checkedData } from "../markup/data_address.ts";
@@ -52,7 +53,9 @@ export async function openText(
   type: string,
   typography?: Typography,
 ): Promise<PageSource> {
-  const text = withoutControls(decode(await bytesOf(file, name)).replace(/\r\n?/g, "\n"));
+  const text = withoutControls(
+    (await decodeText(await bytesOf(file, name))).replace(/\r\n?/g, "\n"),
+  );
   // Both are text: a name may tell them apart where the media type does not.
   const isMarkdown = /markdown/.test(type) || /\.(md|markdown)$/i.test(name);
   const chapters = (isMarkdown ? markdownChapters(text) : null) ?? plainChapters(text);
@@ -238,15 +241,4 @@ const controls = /[\u0000-\u0008\u000b\u000e-\u001f\u007f]/g;
 /** Returns text without what was meant for terminals, printers and systems. */
 function withoutControls(text: string): string {
   return text.replace(terminal, "").replace(controls, "");
-}
-
-/** Returns text as UTF-8, as UTF-16 by its mark, or in the usual encoding of old files. */
-function decode(bytes: Uint8Array): string {
-  if (bytes[0] === 0xff && bytes[1] === 0xfe) return new TextDecoder("utf-16le").decode(bytes);
-  if (bytes[0] === 0xfe && bytes[1] === 0xff) return new TextDecoder("utf-16be").decode(bytes);
-  try {
-    return new TextDecoder("utf-8", { fatal: true }).decode(bytes);
-  } catch {
-    return new TextDecoder("windows-1252").decode(bytes);
-  }
 }

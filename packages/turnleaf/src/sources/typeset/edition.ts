@@ -12,7 +12,7 @@ import type { SectionContents } from "./section_contents.ts";
 /** Frames kept, so that neighbouring pages are drawn without laying out again. */
 const keptFrames = 4;
 
-/** Pieces that are laid out before the last of the first estimates: at the half, the quarters and the eighths of the text. */
+/** Pieces that are laid out before the first estimate: at the half, the quarters and the eighths of the text. */
 const samples = 7;
 
 /** Editions so far, of all books. */
@@ -62,6 +62,11 @@ export class Edition {
     };
   }
 
+  /** Whether every section is laid out, and none failed. */
+  get isLaid(): boolean {
+    return this.#maps.size === this.#book.sections.length;
+  }
+
   /** Returns what is known of a section; undefined before it has been laid out. */
   mapOf(section: number): SectionMap | undefined {
     return this.#maps.get(section);
@@ -82,18 +87,14 @@ export class Edition {
   /**
    * Lays out pieces of the text here and there, from which the numbers of pages can be estimated.
    * What cannot be laid out is left out.
-   *
-   * @param laid called after each
    */
-  async sample(laid: () => void): Promise<void> {
+  async sample(): Promise<void> {
     for (const section of this.#lengths.spread.slice(0, samples)) {
       // One that is laid out as a whole says more than a piece of it.
       if (this.#maps.has(section)) continue;
       const sample = await this.#sampleOf(section).catch(() => null);
       if (this.#ended.signal.aborted) return;
-      if (sample === null) continue;
-      this.#samples.set(section, sample);
-      laid();
+      if (sample !== null) this.#samples.set(section, sample);
     }
   }
 

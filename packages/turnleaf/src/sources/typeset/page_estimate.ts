@@ -17,6 +17,9 @@ const usualBytes = 70;
 /** How full of lines pages are, before any is laid out, likewise: the rest is between paragraphs and chapters. */
 const usualFill = 0.8;
 
+/** Sections that are read as a book opens, for a guess at its thickness: at the half and the quarters of the text. */
+export const openingRead = 3;
+
 /** Sections that are read before the first estimate: at the half, the quarters and so on to the 32nds of the text. */
 export const firstRead = 31;
 

@@ -1,0 +1,54 @@
+/** Text in encodings from before Unicode that it does not declare, or declares wrongly. */
+
+import { analyse } from "chardet";
+import { eastAsianEncoding } from "./archive/legacy_names.ts";
+
+/** Bytes by which an encoding is told: of text, without its tags. */
+const sampleLength = 1 << 16;
+
+/** Tags, whose letters say nothing of the text's language. */
+const tags = /<[^<>]*>/g;
+
+/** Confidence of the detector, of 100, from which it is right for a line of text; and that with which it knows nothing. */
+const [sure, unsure] = [35, 10];
+
+/** Encodings of Western Europe, which are guessed where a text has many letters of ASCII beside others. */
+const western = /^(iso-8859-1|windows-1252)$/i;
+
+/** Returns text whose bytes are no UTF-8, in the encoding that fits its letters best. */
+export function legacyText(bytes: Uint8Array): string {
+  const sample = sampleOf(bytes);
+  const best = analyse(sample).find(({ confidence }) => confidence > unsure);
+  const isSure = best !== undefined && best.confidence >= sure && !western.test(best.name);
+  const other = !isSure && standInRuns(sample) ? eastAsianEncoding([sample]) : null;
+  return decoderOf(other ?? best?.name ?? "").decode(bytes);
+}
+
+/** Returns bytes of a text without its tags and most of what is ASCII. */
+function sampleOf(bytes: Uint8Array): Uint8Array {
+  const first = Math.max(bytes.findIndex((byte) => byte >= 0x80) - sampleLength / 2, 0);
+  const part = bytes.subarray(first, first + 2 * sampleLength);
+  // One letter a byte, each with the number of its byte or one above 255.
+  const letters = new TextDecoder("x-user-defined").decode(part).replace(tags, " ");
+  return Uint8Array.from(letters.slice(0, sampleLength), (letter) => letter.charCodeAt(0) & 0xff);
+}
+
+/** Returns whether letters that are not of ASCII stand beside each other rather than alone, as those of Western Europe do. */
+function standInRuns(bytes: Uint8Array): boolean {
+  let [all, beside] = [0, 0];
+  for (let k = 0; k < bytes.length; k++) {
+    if ((bytes[k] as number) < 0x80) continue;
+    all += 1;
+    if ((bytes[k - 1] ?? 0) >= 0x80 || (bytes[k + 1] ?? 0) >= 0x80) beside += 1;
+  }
+  return beside > all / 2;
+}
+
+/** Returns what decodes an encoding; that of Western Europe if browsers do not know it. */
+function decoderOf(encoding: string): TextDecoder {
+  try {
+    return new TextDecoder(encoding);
+  } catch {
+    return new TextDecoder("windows-1252");
+  }
+}
