@@ -327,36 +327,3 @@ fn fall_off(heights: &mut [f32], columns: usize, step: f32) {
         }
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// The edges of a triangle too narrow for any node to lie in it pass over a rim between two
-    /// places where nothing lies near: they are lifted off it all the same.
-    #[test]
-    fn an_edge_that_passes_over_a_rim_is_lifted_off_it() {
-        let spacing = 0.002;
-        let (rim, top) = (0.0f32, 0.01);
-        let paper: Vec<f32> = [[rim, 0.0], [0.1, 0.0], [0.1, 0.1], [rim, 0.1]]
-            .iter()
-            .flat_map(|[x, y]| [*x, *y, top])
-            .collect();
-        let relief = Relief::of(&paper, &[[0, 1, 2], [0, 2, 3]], spacing, (0.0, 1.0));
-        let mut upper = [
-            [-0.0031, 0.0503, 0.0089],
-            [0.0061, 0.0503, 0.0112],
-            [0.0061, 0.0504, 0.0112],
-        ];
-        assert!(relief.drawn_height(upper[0][0], upper[0][1]).is_none());
-        let mut rises = [0.0; 3];
-        relief.lift(&upper, &[[0, 1, 2]], [1e-4, 0.02], &mut rises);
-        for (point, rise) in upper.iter_mut().zip(rises) {
-            point[2] += rise;
-        }
-        let [from, to, _] = upper;
-        let part = (rim - from[0]) / (to[0] - from[0]);
-        let at_rim = from[2] + part * (to[2] - from[2]);
-        assert!(at_rim > top, "{at_rim}");
-    }
-}

@@ -239,7 +239,7 @@ impl Report {
         let pages = PAGES.iter().map(|(name, _)| *name);
         let part = |name| (name, of(&|run| run.names().contains(&name)));
         let parts = shapes.chain(deeds).chain(STOCKS).chain(pages).map(part);
-        let parts = parts.filter(|(_, figures)| figures.runs > 0).collect();
+        let parts = parts.filter(|(_, figures)| figures.runs() > 0).collect();
         let all = of(&|_| true);
         played.sort_by(|a, b| b.1.deepest().total_cmp(&a.1.deepest()));
         let worst = played.iter().take(worst).map(|(run, seen)| {

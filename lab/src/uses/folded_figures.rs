@@ -27,7 +27,6 @@ impl Seen {
 /// What runs did to what is drawn.
 #[derive(Serialize)]
 pub struct FoldedFigures {
-    pub runs: usize,
     /// Runs in which a leaf goes through itself in flight by more than half a millimetre, and the
     /// deepest, millimetres.
     through_in_flight: usize,
@@ -65,7 +64,6 @@ impl FoldedFigures {
             |seen: &Seen| seen.at_rest,
         );
         FoldedFigures {
-            runs: runs.clone().count(),
             through_in_flight: beyond(in_flight, IN_FLIGHT),
             in_flight_mm: 1e3 * deepest(in_flight),
             through_at_rest: beyond(at_rest, AT_REST),
@@ -74,13 +72,18 @@ impl FoldedFigures {
         }
     }
 
+    /// How many runs these are.
+    pub fn runs(&self) -> usize {
+        self.drawn.runs
+    }
+
     /// A row of the table.
     pub fn row(&self, name: &str) -> Vec<String> {
-        let [_, _, frames, behind, farthest, still, _, _, seconds, _] =
+        let [_, runs, frames, behind, farthest, still, _, _, seconds, _] =
             <[String; 10]>::try_from(self.drawn.row(name)).expect("a cell a heading");
         vec![
             name.into(),
-            self.runs.to_string(),
+            runs,
             self.through_in_flight.to_string(),
             format!("{:.2}", self.in_flight_mm),
             self.through_at_rest.to_string(),
