@@ -29,7 +29,7 @@ export function countWork(): void {
   afterEach(({ task }) => {
     task.file.meta.work = { ...work };
   });
-  // Files may share a page.
+  // Several files may run in one page.
   if (isCounting) return;
   isCounting = true;
   const { count } = TickCounter.prototype;
