@@ -37,6 +37,7 @@ const parts = {
     "stage",
     "webgl",
   ],
+  "attributes.ts": ["engine", "leaf_models", "themes.ts"],
   viewer: ["book", "engine", "picking", "leaf_models", "pages", "sources", "stage", "themes.ts"],
   "webgl_backend.ts": ["engine", "leaf_models", "viewer", "webgl"],
   "canvas2d_backend.ts": ["canvas2d", "viewer"],
@@ -53,6 +54,7 @@ const parts = {
   sound: ["engine", "stage", "stocks.ts"],
   read_aloud: ["sources"],
   element: [
+    "attributes.ts",
     "book",
     "element_plane.ts",
     "metres.ts",
@@ -71,6 +73,7 @@ const parts = {
   ],
   controls: ["element", "sources", "themes.ts", "words"],
   "element.ts": [
+    "attributes.ts",
     "book",
     "controls",
     "element",
@@ -82,6 +85,7 @@ const parts = {
     "viewer",
   ],
   "index.ts": [
+    "attributes.ts",
     "book",
     "element",
     "engine",
@@ -96,7 +100,7 @@ const parts = {
   // Other interfaces to the element.
   page_flip: ["index.ts", "standalone.ts"],
   react_pageflip: ["page_flip"],
-  frameworks: ["index.ts"],
+  frameworks: ["attributes.ts", "index.ts"],
   // Helpers of tests.
   for_tests: [
     "controls",
@@ -178,10 +182,10 @@ export default {
     {
       name: "the command uses the built viewer",
       comment:
-        "Of its sources it reads the tables of formats and of stocks alone, which import nothing of a browser.",
+        "Of its sources it reads the tables of attributes, formats and stocks alone, which use nothing of a browser.",
       severity: "error",
       from: { path: "^packages/cli/(src|app)/", pathNot: test },
-      to: { path: source, pathNot: `${source}(sources/formats|stocks)[.]ts$` },
+      to: { path: source, pathNot: `${source}(attributes|sources/formats|stocks)[.]ts$` },
     },
     ...partRules,
     ...packageRules,

@@ -72,11 +72,14 @@ test-rust: tools-rust
 test-js: build browsers
 	node scripts/test.mjs js
 
-# Every test of Rust, those of long samples among them, which `make test` leaves out: marked
-# `#[ignore = "long: make test-long"]`. Properties hold for SEEDS seeds, of which `make test` has eight.
+# Long samples, which `make test` leaves out. Every test of Rust, those marked
+# `#[ignore = "long: make test-long"]` among them, with SEEDS seeds, of which `make test` has eight; and the
+# files of TypeScript that ask whether they are long (for_tests/long.ts).
 SEEDS ?= 20
-test-long: tools-rust
+LONG = $(shell grep -rlE "for_tests/long|[.]/long" --include=*.test.ts packages)
+test-long: tools-rust build chromium
 	TURNLEAF_SEEDS=$(SEEDS) cargo test --no-fail-fast --quiet -- --include-ignored
+	TURNLEAF_LONG=1 npx vitest run $(LONG)
 
 check: check-rust check-js check-licences
 
@@ -192,7 +195,7 @@ fuzz: $(MODULES) tools-rust chromium
 	mkdir -p target
 	TURNLEAF_SEED=$(SEED) TURNLEAF_FUZZ=$(FUZZ) TURNLEAF_VERDICTS=$(CURDIR)/target/mutated.verdicts cargo test --quiet -p turnleaf-engine --test hostile_key_frames
 	TURNLEAF_SEED=$(SEED) TURNLEAF_FUZZ=$(FUZZ) TURNLEAF_VERDICTS=$(CURDIR)/target/mutated.verdicts npx vitest run --project node --project command fuzz.test manifest.test hostile.test verdicts.test
-	TURNLEAF_SEED=$(SEED) TURNLEAF_FUZZ=$(FUZZ) npx vitest run --project chromium fuzz.browser.test
+	TURNLEAF_SEED=$(SEED) TURNLEAF_FUZZ=$(FUZZ) npx vitest run --project chromium --project "chromium, sources" fuzz.browser.test
 
 # Public collections of books, each at one commit, into a folder that git ignores; those that are
 # elsewhere already are found by TURNLEAF_CORPORA.

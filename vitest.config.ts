@@ -8,6 +8,7 @@ import { wasmInline } from "./packages/turnleaf/wasm_inline.js";
 import { workerInline } from "./packages/turnleaf/worker_inline.js";
 import { chromiumArguments, findChromium } from "./scripts/chromium.mjs";
 import { consoleCommands } from "./scripts/console_watch.mjs";
+import { keepModules } from "./scripts/keep_modules.mjs";
 import { printingCommands } from "./scripts/printed_pdf.mjs";
 import { processCommands } from "./scripts/process_watch.mjs";
 import { requestCommands } from "./scripts/request_watch.mjs";
@@ -15,11 +16,17 @@ import { requestCommands } from "./scripts/request_watch.mjs";
 /** The list of steps that Chromium, Firefox and WebKitGTK go through with the built package. */
 const engines = "packages/cli/tests/engines/*.test.ts";
 
+/** Tests of where pages come from, but for those of which modules are loaded when. */
+const sources = "packages/turnleaf/src/sources/**/!(preparing).browser.test.ts";
+
+/** Nothing is drawn by WebGL. */
+const undrawn = { setup: "browser_setup.ts", flags: ["--disable-gpu"] };
+
 /** Tests of what Chromium has behind a flag: pages that are elements, drawn while they turn. */
 const htmlInCanvas = ["packages/turnleaf/src/element/live_drawings.canvas.test.ts"];
 
-/** What the random tests read, for those that run in a browser. */
-const { TURNLEAF_SEED = "1", TURNLEAF_FUZZ = "1" } = process.env;
+/** What the random tests and those of long samples read, for those that run in a browser. */
+const { TURNLEAF_SEED = "1", TURNLEAF_FUZZ = "1", TURNLEAF_LONG = "" } = process.env;
 
 /** Archives that tests read. */
 const archives = ["**/*.rar", "**/*.7z", "**/*.cb7"];
@@ -30,14 +37,29 @@ const archives = ["**/*.rar", "**/*.7z", "**/*.cb7"];
  */
 const beside = { maxWorkers: 2, sequence: { groupOrder: 1 } };
 
-/** Files that run in the real Chromium of this machine, started with flags besides those of all. */
+/**
+ * Files that run in the real Chromium of this machine, started with flags besides those of all: each in a
+ * page of its own unless `sharesPage`, then one after another in a page that has the viewer's modules loaded.
+ */
 function inChromium(
   name: string,
   include: string[],
-  { setup, flags = [] }: { setup: string; flags?: string[] },
+  {
+    setup,
+    flags = [],
+    exclude = [],
+    sharesPage = false,
+  }: { setup: string; flags?: string[]; exclude?: string[]; sharesPage?: boolean },
 ): TestProjectConfiguration {
   return {
-    plugins: [wasmInline(), turnInline(), packedFiles(), workerInline(), svelteFiles()],
+    plugins: [
+      keepModules(),
+      wasmInline(),
+      turnInline(),
+      packedFiles(),
+      workerInline(),
+      svelteFiles(),
+    ],
     assetsInclude: archives,
     optimizeDeps: {
       include: [
@@ -80,16 +102,17 @@ function inChromium(
     test: {
       name,
       include,
-      exclude: ["**/node_modules/**", "**/dist/**"],
+      exclude: ["**/node_modules/**", "**/dist/**", ...exclude],
       // Nothing takes as long; on a machine that does eight other things as well it is a tenth of it.
       testTimeout: 120_000,
       hookTimeout: 120_000,
       ...beside,
-      env: { TURNLEAF_SEED, TURNLEAF_FUZZ },
+      env: { TURNLEAF_SEED, TURNLEAF_FUZZ, TURNLEAF_LONG },
       setupFiles: [`packages/turnleaf/src/for_tests/${setup}`],
       browser: {
         enabled: true,
         fileParallelism: false,
+        isolate: !sharesPage,
         headless: true,
         screenshotFailures: false,
         commands: {
@@ -166,10 +189,11 @@ export default defineConfig({
         { sharesProcess: true },
       ),
       inChromium("chromium", ["packages/**/*.browser.test.ts"], {
-        setup: "browser_setup.ts",
-        // Nothing is drawn by WebGL.
-        flags: ["--disable-gpu"],
+        ...undrawn,
+        exclude: [sources],
       }),
+      // They read books and show few, and loading the readers takes as long as most of these files.
+      inChromium("chromium, sources", [sources], { ...undrawn, sharesPage: true }),
       inChromium("chromium, drawn", ["packages/**/*.drawn.test.ts"], {
         setup: "drawn_setup.ts",
         // Pages' pictures and what is around a book are painted without the graphics process, in which

@@ -3,7 +3,7 @@
  * can be read (all that is seen is drawn at full sharpness and nothing moves), and until it can be
  * turned (what the next turn brings into view is drawn too). Beside it, in the same run and in turn,
  * pdf.js alone: its own page of a script and a canvas, until the first page is drawn as large.
- * And how long an EPUB takes to be set anew in another size, at the reader's place.
+ * And how long an EPUB takes to be set anew in another size, of as many pages side by side, at the reader's place.
  *
  *   node scripts/opening_time.mjs [--json] [--rounds N] [--moments] [KIND ...]
  *
@@ -38,6 +38,9 @@ const usualRounds = 5;
 
 /** The window, CSS pixels. */
 const viewport = { width: 1000, height: 700 };
+
+/** The size of type in which the EPUB is set anew: in this window two pages have room for their lines in it too. */
+const otherSize = 1.1;
 
 /** Letters of the EPUB and of the text. */
 const million = 1_000_000;
@@ -238,15 +241,8 @@ async function serve() {
 
 /** Runs in the page before anything else: takes down when the book can be read, and turned. */
 function watch() {
-  let isFollowed = false;
   const look = () => {
     const book = document.querySelector("turnleaf-book");
-    if (book && !isFollowed) {
-      isFollowed = true;
-      book.addEventListener("pageschange", () => {
-        window.counted ??= performance.now();
-      });
-    }
     if (book?.settled) window.read ??= performance.now();
     if (book?.ready) window.turnable ??= performance.now();
     if (window.turnable === undefined) setTimeout(look, 4);
@@ -295,7 +291,8 @@ async function open(browser, address, waitedFor, scripts = []) {
 
 /**
  * Sets an open EPUB in another size, from a page in its middle. Returns the milliseconds until the
- * reader's place is shown so, those of the thread, and whether it is his place.
+ * reader's place is shown so, those of the thread, whether it is his place, and whether as many pages
+ * are shown as before.
  */
 async function setAnew(page) {
   const session = await page.context().newCDPSession(page);
@@ -304,17 +301,20 @@ async function setAnew(page) {
     const { metrics } = await session.send("Performance.getMetrics");
     return 1000 * metrics.find(({ name }) => name === "TaskDuration").value;
   };
-  // The pages change once, when every chapter has been counted.
-  await page.waitForFunction(() => window.counted, null, { polling: 100, timeout: 120_000 });
+  // Chapters that are still being counted would take their time of this.
+  await page.waitForFunction(() => !document.querySelector("turnleaf-book").estimated, null, {
+    polling: 100,
+    timeout: 120_000,
+  });
   await page.evaluate(async () => {
     const book = document.querySelector("turnleaf-book");
     await book.goTo(Math.round(book.pageCount / 2), { motion: false });
     while (!book.ready) await new Promise((resolve) => setTimeout(resolve, 20));
   });
   const before = await task();
-  const found = await page.evaluate(async () => {
+  const found = await page.evaluate(async (size) => {
     const book = document.querySelector("turnleaf-book");
-    const { source } = book;
+    const { source, shownLayout } = book;
     const lettersOf = async (page) => {
       const runs = page === null ? [] : await source.text(page - 1, new AbortController().signal);
       return runs
@@ -327,14 +327,15 @@ async function setAnew(page) {
       book.addEventListener("pageschange", resolve, { once: true });
     });
     const began = performance.now();
-    book.setAttribute("font-size", "1.25");
+    book.setAttribute("font-size", size);
     await changed;
     while (!book.settled) await new Promise((resolve) => setTimeout(resolve, 2));
     const wall = performance.now() - began;
     const { left, right } = book.spread;
     const shown = (await lettersOf(left)) + (await lettersOf(right));
-    return { wall, isPlace: shown.includes(first) };
-  });
+    const isAlike = book.shownLayout === shownLayout;
+    return { wall, isPlace: shown.includes(first), isAlike };
+  }, String(otherSize));
   return { ...found, cpu: (await task()) - before };
 }
 
@@ -482,8 +483,9 @@ export async function openingTimes({ rounds = usualRounds, kinds = names } = {})
           const { read, turnable } = opened.wall;
           add(kind, backend, { read, turnable, cpu: opened.cpu });
           if (kind.startsWith("EPUB")) {
-            const { wall, cpu, isPlace } = await setAnew(opened.page);
+            const { wall, cpu, isPlace, isAlike } = await setAnew(opened.page);
             if (!isPlace) throw new Error("The EPUB was set anew at another place.");
+            if (!isAlike) throw new Error("The EPUB was set anew in another layout.");
             add(anew, backend, { read: wall, cpu });
           }
           await opened.close();

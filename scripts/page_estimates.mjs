@@ -1,7 +1,7 @@
 /**
  * How near the first numbers of pages of books of flowing text are to the last: right after a book is
- * opened, when next to nothing of it is read; once it is estimated by text of the whole book and pieces
- * that are laid out; a second after it was opened; and counted to the end.
+ * opened, a guess that readers are not shown; once it is estimated by text of the whole book and pieces
+ * that are laid out, which is the first that they see; and counted to the end.
  *
  *   node scripts/page_estimates.mjs BOOK ...
  *
@@ -16,9 +16,6 @@ import { chromium } from "playwright-core";
 import { chromiumArguments, findChromium } from "./chromium.mjs";
 
 const dist = join(import.meta.dirname, "../packages/turnleaf/dist");
-
-/** Milliseconds between two looks at the number. */
-const often = 20;
 
 /** Returns a book's bytes; a folder is packed. */
 function bytesOf(path) {
@@ -49,7 +46,7 @@ await new Promise((resolve) => server.listen(0, "127.0.0.1", resolve));
 const url = `http://127.0.0.1:${server.address().port}`;
 
 /** Runs in the page. */
-async function count([address, name, often]) {
+async function count([address, name]) {
   const { openSource } = await import("/turnleaf/index.js");
   const start = performance.now();
   const seconds = () => ((performance.now() - start) / 1000).toFixed(2);
@@ -59,38 +56,29 @@ async function count([address, name, often]) {
   source.watchPages?.((change) => change());
   const settled = source.settle();
   const estimated = source.estimated.then(() => [source.pageCount, seconds()]);
-  // The number a second after the book is there.
-  let second = null;
-  const timer = setInterval(() => {
-    if (second === null && performance.now() - start > 1000 * Number(first[1]) + 1000)
-      second = source.pageCount;
-  }, often);
   await settled;
-  clearInterval(timer);
   const last = source.pageCount;
   source.close();
   return {
     first,
     estimated: await estimated,
-    second: second ?? last,
     last: [last, seconds()],
   };
 }
 
 const browser = await chromium.launch({ executablePath: findChromium(), args: chromiumArguments });
-const off = { first: [], estimated: [], second: [] };
+const off = { first: [], estimated: [] };
 for (const [index, path] of books.entries()) {
   const page = await browser.newPage();
   await page.goto(url);
   const name = basename(path);
   try {
-    const found = await page.evaluate(count, [`${url}/book/${index}`, name, often]);
+    const found = await page.evaluate(count, [`${url}/book/${index}`, name]);
     const [last, time] = found.last;
     const inWords = ([pages, seconds]) => `${pages} (${seconds} s)`;
-    for (const kind of Object.keys(off))
-      off[kind].push(Math.abs([found[kind]].flat()[0] / last - 1));
+    for (const kind of Object.keys(off)) off[kind].push(Math.abs(found[kind][0] / last - 1));
     console.log(
-      `${name.slice(0, 40).padEnd(42)} first ${inWords(found.first)}, estimated ${inWords(found.estimated)}, a second later ${found.second}, counted ${last} (${time} s)`,
+      `${name.slice(0, 40).padEnd(42)} first ${inWords(found.first)}, estimated ${inWords(found.estimated)}, counted ${last} (${time} s)`,
     );
   } catch (error) {
     console.log(`${name}: ${String(error).slice(0, 200)}`);

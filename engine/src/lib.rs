@@ -32,6 +32,7 @@ mod anchors;
 mod band;
 pub mod book;
 mod contact;
+mod creased_only;
 mod drawn_mesh;
 mod gesture;
 mod grab;
@@ -50,6 +51,7 @@ mod stock;
 mod surface;
 mod synchronise;
 pub mod trials;
+mod triangle;
 mod turn;
 mod vector;
 

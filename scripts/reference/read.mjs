@@ -74,7 +74,9 @@ export function readReference() {
 
   function property(symbol) {
     const isWritten = symbol.declarations.some(
-      (at) => ts.isSetAccessor(at) || (ts.isPropertyDeclaration(at) && !isReadonly(at)),
+      (at) =>
+        ts.isSetAccessor(at) ||
+        ((ts.isPropertyDeclaration(at) || ts.isPropertySignature(at)) && !isReadonly(at)),
     );
     return { ...documented(symbol), type: typeOf(symbol), isWritten };
   }
@@ -217,9 +219,13 @@ function usedIn(files) {
       note(used.parts, words, /"([^"]+)"/g);
     }
     note(used.customProperties, text, /(--turnleaf-[\w-]+)/g);
-    if (!/^element(\/|\.ts)/.test(path)) continue;
-    note(used.attributes, text, /(?:get|has|set|toggle)Attribute\("([^"]+)"/g);
-    note(used.attributes, text, /\bword\("([^"]+)"/g);
+    if (path === "attributes.ts") {
+      const [, table] = /export const attributes[\s\S]*? = \{([\s\S]*?)\n\};/.exec(text);
+      for (const [, property] of table.matchAll(/^ {2}(\w+): \w+[(<]/gm))
+        used.attributes.add(property.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`));
+    }
+    if (/^element(\/|\.ts)/.test(path))
+      note(used.attributes, text, /(?:get|has|set|toggle)Attribute\("([^"]+)"/g);
   }
   return used;
 }

@@ -14,7 +14,7 @@ function bare() {
     getAttribute: { value: (name) => has.get(name) ?? null },
     hasAttribute: { value: (name) => has.has(name) },
     setAttribute: { value: (name, value) => has.set(name, String(value)) },
-    toggleAttribute: { value: (name, on) => (on ? has.set(name, "") : has.delete(name)) },
+    removeAttribute: { value: (name) => has.delete(name) },
   });
   return { element, has };
 }

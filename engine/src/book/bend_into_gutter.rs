@@ -20,7 +20,7 @@ use super::pile::Pile;
 use super::turn_by_place::turn_between;
 use crate::contact::mesh::Folds;
 use crate::contact::tolerance::{OVER_PILE, ROOM_FROM_SPINE, ROUNDING, SLIVER};
-use crate::models::sheet::CAN_CREASE;
+use crate::creased_only::CreasedOnly;
 
 /// Bends the points of a leaf into the gutter, in place.
 ///
@@ -33,12 +33,12 @@ pub fn bend_into_gutter(
     positions: &mut [f32],
     right: &Pile,
     left: &Pile,
-    (straightness, beyond): (f32, &[bool]),
+    (straightness, beyond): (f32, CreasedOnly<&[bool]>),
 ) {
     let columns = right.columns();
     debug_assert_eq!(columns, left.columns());
     let angles = [right, left].map(|pile| pile.angles_for(straightness));
-    if CAN_CREASE && !beyond.is_empty() {
+    if let Some(beyond) = beyond.as_ref() {
         let ends = right.distances();
         let rows = positions.chunks_exact_mut(3 * columns);
         for (row, beyond) in rows.zip(beyond.chunks_exact(columns)) {
@@ -302,7 +302,7 @@ mod tests {
         let (right, left, u) = piles(0.012, 0.005);
         for (angle, pile) in [(0.0, &right), (core::f32::consts::PI, &left)] {
             let mut row = straight(&u, angle);
-            bend_into_gutter(&mut row, &right, &left, (0.0, &[]));
+            bend_into_gutter(&mut row, &right, &left, (0.0, CreasedOnly::NONE));
             for (p, q) in row.chunks_exact(3).zip(pile.curves().chunks_exact(2)) {
                 let distance = (p[0] - q[0]).hypot(p[2] - q[1]);
                 assert!(distance < 2e-4, "{distance} m at angle {angle}");
@@ -315,7 +315,7 @@ mod tests {
         let (right, left, u) = piles(0.008, 0.014);
         for i in 1..36 {
             let mut row = straight(&u, i as f32 * core::f32::consts::PI / 36.0);
-            bend_into_gutter(&mut row, &right, &left, (0.0, &[]));
+            bend_into_gutter(&mut row, &right, &left, (0.0, CreasedOnly::NONE));
             let length: f32 = row
                 .windows(6)
                 .step_by(3)
@@ -351,10 +351,7 @@ mod tests {
         let mut positions = points.concat();
         let mut falling = vec![false; 2 * columns];
         falling[after] = true;
-        let folds = Folds {
-            falling: &falling,
-            ..Folds::default()
-        };
+        let folds = Folds::of(&[], &falling);
         let piles = [&right, &left];
         assert!(is_clear(&positions, Folds::default(), piles));
         assert!(!is_clear(&positions, folds, piles));
@@ -382,7 +379,7 @@ mod tests {
     fn what_is_kept_over_a_pile_is_less_so_toward_the_spine() {
         let (right, left, u) = piles(0.01, 0.01);
         let mut positions = straight(&u, 0.0);
-        bend_into_gutter(&mut positions, &right, &left, (0.0, &[]));
+        bend_into_gutter(&mut positions, &right, &left, (0.0, CreasedOnly::NONE));
         let lying = positions.clone();
         push_off(
             &mut positions,

@@ -4,7 +4,6 @@ use super::fraction_turned::fraction_turned;
 use crate::contact::aabb::Aabb;
 use crate::contact::mesh::{Folds, Mesh, update_normals};
 use crate::contact::tolerance::{CLOSE, FAR};
-use crate::models::sheet::CAN_CREASE;
 use crate::vector::{dot, sub};
 
 /// Width of the page for which lengths of drawing are given, metres.
@@ -76,10 +75,7 @@ impl BookSpaceLeaf {
             columns: self.columns,
             points: &self.points,
             normals: &self.normals,
-            folds: Folds {
-                falling: &self.falling,
-                ..Folds::default()
-            },
+            folds: Folds::of(&[], &self.falling),
         }
     }
 
@@ -87,7 +83,7 @@ impl BookSpaceLeaf {
     /// What is folded over has a nearest node of its own, at which a walk may end: of a leaf
     /// with such parts the nearest of all nodes is sought.
     pub fn start_near(&self, point: [f32; 3], start: usize) -> usize {
-        if !CAN_CREASE || !self.has_folds {
+        if !self.has_folds {
             return start;
         }
         let away = |node: usize| {

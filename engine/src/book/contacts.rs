@@ -5,13 +5,11 @@
 //! lives over a flat table, as half-spaces turned back by the gutter's bend.
 
 use super::book_space_leaf::BookSpaceLeaf;
-use super::limits::TICK;
 use super::pile::Pile;
-use crate::contact::flaps::{Flaps, PARTS};
 use crate::contact::tolerance::{
     APART, BETWEEN_NODES, CURLED, DEEPEST, FAR, GAP, LEAP, PAST_RIM, PUSHED_AT_ONCE,
 };
-use crate::models::sheet::{CAN_CREASE, CONTACTS, Contact};
+use crate::models::sheet::{CONTACTS, Contact};
 use crate::vector::{dot, sub};
 
 /// Steps from a node to the other end of what lies between: edges and diagonals.
@@ -21,7 +19,7 @@ const BETWEEN: [[usize; 2]; 3] = [[1, 0], [0, 1], [1, 1]];
 const PILE: usize = 0;
 const LEFT: usize = 1;
 const RIGHT: usize = 2;
-const SELF: usize = PARTS[0];
+const SELF: usize = 3;
 
 /// Where and what a sheet touches: its nodes over the flat table and its contacts.
 pub struct ContactView<'a> {
@@ -218,19 +216,9 @@ fn detect_contacts_between_nodes(
 
 /// Finds the contacts of a leaf with itself: a curled one stays on the side of
 /// itself where it is, and one that has parts (`flaps`) between creases keeps them apart.
-pub fn detect_self_contacts(
-    leaf: &mut BookSpaceLeaf,
-    flaps: Option<&Flaps>,
-    sheet: &mut ContactView<'_>,
-) {
+pub fn detect_self_contacts(leaf: &mut BookSpaceLeaf, sheet: &mut ContactView<'_>) {
     for contacts in sheet.contacts.iter_mut() {
-        for slot in PARTS {
-            contacts[slot] = Contact::default();
-        }
-    }
-    if let (true, Some(flaps)) = (CAN_CREASE, flaps) {
-        detect_flap_contacts(leaf, flaps, sheet);
-        return;
+        contacts[SELF] = Contact::default();
     }
     if !leaf.is_curled() {
         return;
@@ -254,17 +242,6 @@ pub fn detect_self_contacts(
         sheet.contacts[node][SELF] = Contact {
             firmness: 0.5,
             ..half_space(leaf, node, space, velocity, sheet)
-        };
-    }
-}
-
-/// Finds the contacts of a creased leaf's parts with each other.
-fn detect_flap_contacts(leaf: &BookSpaceLeaf, flaps: &Flaps, sheet: &mut ContactView<'_>) {
-    for part in flaps.contacts(&leaf.points, &leaf.velocities, leaf.columns, TICK) {
-        let space = (part.normal, part.gap);
-        sheet.contacts[part.node][part.slot] = Contact {
-            firmness: part.firmness,
-            ..half_space(leaf, part.node, space, part.velocity, sheet)
         };
     }
 }

@@ -1,6 +1,7 @@
 //! Which leaves of a book are creased, and along which lines.
 
 use super::flight::Flight;
+use crate::creased_only::CreasedOnly;
 use crate::models::sheet::FoldLine;
 
 /// Creased leaves of a book and creases of a leaf, at most: what bounds a book's memory.
@@ -15,7 +16,7 @@ const MOST_KEPT: usize = 4;
 #[derive(Clone, Debug)]
 struct CreasedLeaf {
     leaf: u32,
-    creases: Vec<FoldLine>,
+    creases: CreasedOnly<Vec<FoldLine>>,
     /// When it was creased or covered last, seconds as the book's time.
     since: f64,
 }
@@ -48,7 +49,7 @@ impl CreasedLeaves {
         if !creases.is_empty() {
             let made = CreasedLeaf {
                 leaf,
-                creases: creases.to_vec(),
+                creases: CreasedOnly::some(creases.to_vec()),
                 since: self.time,
             };
             let at = self.index(leaf).unwrap_or_else(|at| at);
@@ -59,7 +60,7 @@ impl CreasedLeaves {
     /// The creases of a leaf; None where it has none.
     pub fn of(&self, leaf: u32) -> Option<&[FoldLine]> {
         let at = self.index(leaf).ok()?;
-        Some(&self.leaves[at].creases)
+        self.leaves[at].creases.as_ref().map(Vec::as_slice)
     }
 
     /// Lets seconds pass.
@@ -77,8 +78,8 @@ impl CreasedLeaves {
     pub fn has_lines(&self, creases: &[FoldLine]) -> bool {
         let lines = |creases: &[FoldLine]| creases.iter().map(|crease| crease.through).collect();
         let asked: Vec<_> = lines(creases);
-        let mut leaves = self.leaves.iter();
-        leaves.any(|known| known.creases.len() == asked.len() && lines(&known.creases) == asked)
+        let mut known = self.leaves.iter().filter_map(|leaf| leaf.creases.as_ref());
+        known.any(|creases| creases.len() == asked.len() && lines(creases) == asked)
     }
 
     /// Keeps the flight of a creased leaf that is covered and so no longer drawn. Returns it where
@@ -88,7 +89,7 @@ impl CreasedLeaves {
         let Ok(at) = self.index(leaf) else {
             return Some(flight);
         };
-        self.leaves[at].creases = flight.leaf().creases();
+        self.leaves[at].creases = CreasedOnly::some(flight.leaf().creases());
         self.leaves[at].since = self.time;
         self.kept.push((leaf, flight));
         if self.kept.len() > MOST_KEPT {

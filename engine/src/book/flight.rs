@@ -21,8 +21,9 @@ use crate::contact::separate_folded::{
 use crate::contact::separate_parts::{DrawnParts, ROUNDS};
 use crate::contact::tolerance::{AT_FACET, DEEP, PAST_AT_SPINE};
 use crate::contact::work::Work;
+use crate::creased_only::CreasedOnly;
 use crate::grid::Side;
-use crate::models::sheet::{CAN_CREASE, FoldLine};
+use crate::models::sheet::FoldLine;
 use crate::surface::Surface;
 use crate::vector::{dot, sub};
 
@@ -82,7 +83,7 @@ pub struct Flight {
     /// Work of looking for where its paper goes through itself or another since it was last
     /// taken, nanoseconds.
     searching: u32,
-    creased: Option<CreasedMesh>,
+    creased: CreasedOnly<CreasedMesh>,
     /// Rounds in which its parts have been moved off each other since it was last to be drawn anew.
     rounds: usize,
     /// The parts of what is drawn; of a whole leaf none until a creased one is next to it.
@@ -128,7 +129,7 @@ impl Flight {
             was_through: false,
             spare: Surface::new(u.len(), rows),
             searching: 0,
-            creased: None,
+            creased: CreasedOnly::NONE,
             rounds: 0,
             parts: DrawnParts::default(),
             shut: 0,
@@ -156,10 +157,8 @@ impl Flight {
             return false;
         }
         let made = CreasedMesh::of(self.leaf.sheet());
-        (self.creased, self.parts) = match made {
-            Some((mesh, parts)) => (Some(mesh), parts),
-            None => (None, DrawnParts::default()),
-        };
+        let (mesh, parts) = made.unzip();
+        (self.creased, self.parts) = (mesh.into(), parts.unwrap_or_default());
         self.surface.topology = CREASINGS.fetch_add(1, Ordering::Relaxed).wrapping_add(1);
         true
     }
@@ -177,6 +176,11 @@ impl Flight {
     /// Its number.
     pub fn id(&self) -> u32 {
         self.id
+    }
+
+    /// Whether it is a creased leaf that lies uppermost upon a pile, and not in flight.
+    pub fn lies(&self) -> bool {
+        self.id == LYING && self.is_creased()
     }
 
     /// Leaves on the left of the book while it lies on the right.
@@ -238,14 +242,12 @@ impl Flight {
             self.leaf.write_surface(&mut self.surface);
         }
         let straightness = self.leaf.straightness();
-        let creased = self.creased.as_ref().filter(|_| CAN_CREASE);
-        let beyond = creased.map_or(&[][..], |creased| &creased.beyond);
-        let how = (straightness, beyond);
+        let creased = self.creased.as_ref();
+        let beyond = creased.map(|creased| &creased.beyond[..]);
+        let how = (straightness, beyond.into());
         bend_into_gutter(&mut self.surface.positions, right, left, how);
         self.surface.update_normals();
-        if CAN_CREASE {
-            self.find_turned_over();
-        }
+        self.find_turned_over();
         if self.shown.is_empty() {
             // What is drawn of others next to it may have it drawn so for as long as they move.
             self.separate_own_parts(ROUNDS, &mut Work::new(u32::MAX));
@@ -292,14 +294,14 @@ impl Flight {
         let columns = pile.columns();
         self.shown.clone_from(&self.surface.positions);
         let points = self.shown.as_chunks_mut::<3>().0;
-        if let Some(creased) = self.creased.as_ref().filter(|_| CAN_CREASE) {
+        if let Some(creased) = self.creased.as_ref() {
             // Its columns are moved onto its creases.
             let settings = self.leaf.sheet().settings();
             let size = [settings.width, settings.height].map(|length| length as f32);
             for (point, [u, v]) in points.iter_mut().zip(creased.places.as_chunks::<2>().0) {
                 *point = [side.sign() * u * size[0], v * size[1], 0.0];
             }
-            bend_into_gutter(&mut self.shown, right, left, (0.0, &[]));
+            bend_into_gutter(&mut self.shown, right, left, (0.0, CreasedOnly::NONE));
             return;
         }
         for row in points.chunks_exact_mut(columns) {
@@ -400,7 +402,7 @@ impl Flight {
 
     /// Whether it is creased.
     pub fn is_creased(&self) -> bool {
-        CAN_CREASE && self.creased.is_some()
+        !self.creased.is_none()
     }
 
     /// Finds the parts of what is drawn of it, to be kept clear of a creased neighbour.
@@ -423,7 +425,7 @@ impl Flight {
 
     /// Whether parts of it lie upon parts of the neighbour on a side, or under these, as both lie open.
     pub fn lies_open_beside(&self, side: Side) -> bool {
-        CAN_CREASE && self.flap_order[usize::from(side == Side::Right)].lie_open()
+        self.flap_order[usize::from(side == Side::Right)].lie_open()
     }
 
     /// Moves what is drawn of it out of the piles (right and left), so far over each, its parts
@@ -692,10 +694,7 @@ impl Flight {
 
 /// What the creases of a leaf change of what is drawn of it, of which points are turned over.
 fn folds<'a>(creased: Option<&'a CreasedMesh>, turned_over: &'a [bool]) -> Folds<'a> {
-    Folds {
-        turned_over,
-        falling: creased.map_or(&[], |creased| &creased.falling),
-    }
+    Folds::of(turned_over, creased.map_or(&[], |creased| &creased.falling))
 }
 
 /// Says of a drawn point of a leaf, by its column and row, whether it may touch a neighbour,

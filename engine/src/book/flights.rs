@@ -369,7 +369,7 @@ impl Flights {
 
     /// Counts what has come to rest; what lay creased already was.
     fn count(&mut self, over: &Flight) {
-        if over.id() != LYING {
+        if !over.lies() {
             let put_down = over.leaf().was_put_down();
             self.landed[0] = self.landed[0].wrapping_add(1);
             self.landed[1] = self.landed[1].wrapping_add(put_down.into());

@@ -20,7 +20,7 @@ use super::surroundings::{Surroundings, TableAround};
 use crate::grab::{stiffness_for, strongest};
 use crate::grid::Side;
 use crate::interpolate::uniform_samples;
-use crate::models::sheet::{CAN_CREASE, FoldLine, Root, Sheet, SheetSettings};
+use crate::models::sheet::{FoldLine, Root, Sheet, SheetSettings};
 use crate::rigidity::Rigidity;
 use crate::surface::Surface;
 use crate::turn::TurnModel;
@@ -263,7 +263,7 @@ impl FoldOut {
             }
         }
         Surroundings::new(book, self.around, &self.sheet).push_off(&mut self.surface);
-        if let (true, Some(creased)) = (CAN_CREASE, &mut self.creased) {
+        if let Some(creased) = &mut self.creased {
             creased
                 .folded
                 .separate(&mut self.surface, self.page_width as f32);
@@ -318,8 +318,8 @@ impl FoldOut {
         for contact in contacts.as_flattened_mut() {
             contact.offset -= dot(contact.normal, self.foot);
         }
-        if let (true, Some(creased)) = (CAN_CREASE, &self.creased) {
-            creased.folded.find_contacts(&mut self.sheet);
+        if let Some(creased) = &self.creased {
+            creased.folded.keep_apart(&mut self.sheet);
         }
     }
 

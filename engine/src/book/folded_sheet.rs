@@ -31,9 +31,9 @@ impl FoldedSheet {
         self.flaps.press(crease, rest);
     }
 
-    /// Finds the contacts of the parts of the sheet, the one that this is of, with each other.
-    pub fn find_contacts(&self, sheet: &mut Sheet) {
-        self.flaps.write_contacts(sheet);
+    /// Finds what parts of the sheet, the one that this is of, touch of each other.
+    pub fn keep_apart(&self, sheet: &mut Sheet) {
+        self.flaps.touch(sheet, 1);
     }
 
     /// Moves the drawn parts off each other, of a page `width` metres wide.

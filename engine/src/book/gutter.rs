@@ -101,6 +101,7 @@ mod tests {
     use super::super::bend_into_gutter::bend_into_gutter;
     use super::super::pile::{Pile, crowded_columns};
     use super::*;
+    use crate::creased_only::CreasedOnly;
     use crate::grid::Side;
 
     #[test]
@@ -121,7 +122,7 @@ mod tests {
             let mut in_book = BookSpaceLeaf::new(columns, 2, [0.01, 0.01]);
             gutter.bend(&flat, &mut in_book);
             let mut drawn: Vec<f32> = u.iter().flat_map(|u| line(*u)).collect();
-            bend_into_gutter(&mut drawn, &right, &left, (0.0, &[]));
+            bend_into_gutter(&mut drawn, &right, &left, (0.0, CreasedOnly::NONE));
             let end = &drawn[drawn.len() - 3..];
             let node = in_book.points[columns - 1];
             let apart = (end[0] - node[0]).hypot(end[2] - node[2]);

@@ -2,8 +2,8 @@
 
 use super::*;
 use crate::contact::tolerance::DEEP;
-use crate::contact::triangle::area_normal;
 use crate::random::Random;
+use crate::triangle::area_normal;
 use crate::vector::{cross, dot, sub};
 
 fn along(u: f64, degrees: f64) -> FoldLine {

@@ -26,8 +26,9 @@ use super::phase::Phase;
 use super::pile::Pile;
 use crate::contact::flaps::Flaps;
 use crate::contact::mesh::find_falling;
+use crate::creased_only::CreasedOnly;
 use crate::grid::Side;
-use crate::models::sheet::{CAN_CREASE, FoldLine, Sheet};
+use crate::models::sheet::{FoldLine, Sheet};
 use crate::stock::Stock;
 use crate::surface::Surface;
 use crate::turn::TurnModel;
@@ -90,9 +91,9 @@ pub struct Leaf {
     room: [f32; 2],
     in_book: BookSpaceLeaf,
     /// Its parts between creases; None where it has none.
-    flaps: Option<Flaps>,
+    flaps: CreasedOnly<Flaps>,
     /// How creases open that were pressed shut; None where none do.
-    opening: Option<Opening>,
+    opening: CreasedOnly<Opening>,
     /// Whether it is eased to where it lies pressed flat, to open its folds anew from there, and
     /// whether it has since it was last held, played or laid.
     opens_anew: bool,
@@ -161,8 +162,8 @@ impl Leaf {
             clamp: 0.0,
             room: [0.0, 1.0],
             in_book: BookSpaceLeaf::new(NODES[0], NODES[1], cell),
-            flaps: None,
-            opening: None,
+            flaps: CreasedOnly::NONE,
+            opening: CreasedOnly::NONE,
             opens_anew: false,
             was_opened_anew: false,
             edge: (1..=NODES[1]).map(|row| row * NODES[0] - 1).collect(),
@@ -182,9 +183,9 @@ impl Leaf {
         if self.sheet.crease(lines).is_err() {
             return false;
         }
-        self.opening = None;
+        self.opening = CreasedOnly::NONE;
         self.flat = self.sheet.flat_places();
-        self.flaps = Flaps::of(&self.sheet);
+        self.flaps = Flaps::of(&self.sheet).into();
         self.in_book.has_folds = false;
         let triangles = self.sheet.node_triangles().into_iter();
         let corners = triangles.map(|(corners, _)| corners);
@@ -218,13 +219,13 @@ impl Leaf {
 
     /// Its parts between creases; None where it has none.
     pub fn flaps(&self) -> Option<&Flaps> {
-        self.flaps.as_ref().filter(|_| CAN_CREASE)
+        self.flaps.as_ref()
     }
 
     /// Notes how creases rest that the hand which holds the leaf has opened: what is folded over
     /// lies on that side from then on.
     fn follow_rests(&mut self) {
-        let Some(flaps) = self.flaps.as_mut().filter(|_| CAN_CREASE) else {
+        let Some(flaps) = self.flaps.as_mut() else {
             return;
         };
         for (number, crease) in self.sheet.creases().iter().enumerate() {
@@ -331,7 +332,7 @@ impl Leaf {
         for ((own, v), [cos, sin]) in states.zip(&in_book.turned) {
             *own = [cos * v[0] - sin * v[2], v[1], sin * v[0] + cos * v[2]];
         }
-        if let (true, Some(flaps)) = (CAN_CREASE, &self.flaps) {
+        if let Some(flaps) = self.flaps.as_ref() {
             in_book.has_folds = flaps.face_as_the_rest(&in_book.points, &mut in_book.normals);
             if in_book.has_folds {
                 in_book.bound_rows();
@@ -348,6 +349,9 @@ impl Leaf {
         itself: bool,
     ) {
         self.searches += 1;
+        if let (true, Some(flaps)) = (itself, self.flaps.as_ref()) {
+            flaps.touch(&mut self.sheet, self.steps);
+        }
         let friction = self.sheet.settings().stock.friction as f32;
         let (flat, contacts) = self.sheet.contact_state();
         let mut sheet = ContactView {
@@ -356,8 +360,8 @@ impl Leaf {
             friction,
         };
         detect_contacts(&mut self.in_book, piles, neighbours, &mut sheet);
-        if itself {
-            detect_self_contacts(&mut self.in_book, self.flaps.as_ref(), &mut sheet);
+        if itself && self.flaps.is_none() {
+            detect_self_contacts(&mut self.in_book, &mut sheet);
         }
     }
 

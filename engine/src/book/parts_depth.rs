@@ -2,9 +2,9 @@
 
 use super::creased_mesh::CreasedMesh;
 use crate::contact::flaps::{add_facing, facing_of};
-use crate::contact::triangle::area_normal;
 use crate::models::sheet::FoldLine;
 use crate::surface::Surface;
+use crate::triangle::area_normal;
 use crate::vector::{cross, dot, sub, unit};
 
 /// Farther off each other than this, metres, parts of a leaf that lies are not looked at.

@@ -2,9 +2,9 @@
 
 use super::*;
 use crate::contact::aabb::Aabb;
-use crate::contact::triangle::area_normal;
 use crate::grid::{cells, cut_cell};
 use crate::random::{Random, for_seeds};
+use crate::triangle::area_normal;
 use crate::vector::{cross, dot, sub};
 
 /// A book that lies open, its front board on the left.

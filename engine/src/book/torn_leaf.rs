@@ -19,7 +19,7 @@ use super::surroundings::{Surroundings, TableAround};
 use crate::contact::flaps::Flaps;
 use crate::contact::relief::Relief;
 use crate::grid::Side;
-use crate::models::sheet::{CAN_CREASE, Root, Sheet, SheetSettings, TornMesh};
+use crate::models::sheet::{Root, Sheet, SheetSettings, TornMesh};
 use crate::stock::GRAVITY;
 use crate::surface::Surface;
 use crate::turn::TurnModel;
@@ -404,7 +404,7 @@ impl TornLeaf {
             let triangles = self.triangles();
             around.push_off_sheets(&mut self.surface, &triangles);
         }
-        if let (true, Some(folded)) = (CAN_CREASE, &mut self.folded) {
+        if let Some(folded) = &mut self.folded {
             folded.separate(&mut self.surface, self.sheet.settings().width as f32);
         }
         self.surface.update_normals();
@@ -446,8 +446,8 @@ impl TornLeaf {
         for left in (1..=self.steps).rev() {
             let (positions, contacts) = self.sheet.contact_state();
             around.write_contacts(positions, contacts);
-            if let (true, Some(folded)) = (CAN_CREASE, &self.folded) {
-                folded.find_contacts(&mut self.sheet);
+            if let Some(folded) = &self.folded {
+                folded.keep_apart(&mut self.sheet);
             }
             if let Some(Crumpled::Pressed(press)) = &self.crumpled {
                 let (positions, contacts) = self.sheet.contact_state();
@@ -550,7 +550,7 @@ fn sheet_of(flight: &Flight, book: &Book) -> Option<Sheet> {
     .ok()?;
     let rows = (0..drawn.rows).map(|row| row as f32 / (drawn.rows - 1) as f32);
     sheet.draw_samples(book.columns(), &rows.collect::<Vec<_>>());
-    let mut nodes = if CAN_CREASE && leaf.is_creased() {
+    let mut nodes = if leaf.is_creased() {
         sheet.crease(&leaf.sheet().creases()).ok()?;
         leaf.in_book_space().points.clone()
     } else {

@@ -61,6 +61,7 @@ fn turn_on_one_side(
 mod tests {
     use super::super::bend_into_gutter::bend_into_gutter;
     use super::super::pile::{Pile, crowded_columns};
+    use crate::creased_only::CreasedOnly;
     use crate::grid::Side;
 
     /// What lies upon a page in the gutter is turned as that is, whichever way it was folded there.
@@ -84,7 +85,7 @@ mod tests {
         let mut row: Vec<f32> = folded.collect();
         let flat = row.clone();
         let beyond: Vec<bool> = (0..columns).map(|column| column > crease).collect();
-        bend_into_gutter(&mut row, &right, &left, (0.0, &beyond));
+        bend_into_gutter(&mut row, &right, &left, (0.0, CreasedOnly::some(&beyond)));
         let mut lowest = f32::MAX;
         for column in crease + 1..columns {
             let x = flat[3 * column];

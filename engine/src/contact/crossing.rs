@@ -5,10 +5,10 @@
 
 use super::aabb::Aabb;
 use super::mesh::Mesh;
-use super::triangle::{Triangle, area_normal};
 use super::work::Work;
+use crate::creased_only::CreasedOnly;
 use crate::grid::cut_cell;
-use crate::models::sheet::CAN_CREASE;
+use crate::triangle::{Triangle, area_normal};
 use crate::vector::{dot, sub};
 
 /// Cells along a side of a tile that one box bounds, and points along it.
@@ -59,7 +59,7 @@ struct Tile {
     /// Column and row of its points.
     nodes: [Node; SIDE * SIDE],
     /// Of its points those of cells that are cut along their other diagonal, as a set of bits.
-    falling: u16,
+    falling: CreasedOnly<u16>,
     /// x, y, z of its points, row by row; where the leaf has fewer the last again.
     points: [[f32; SIDE * SIDE]; 3],
     /// The middle one's normal, and how far along it the points reach.
@@ -222,7 +222,7 @@ impl Tile {
                 let node = node(k);
                 [(node % columns) as u8, (node / columns) as u8]
             }),
-            falling: falling.fold(0, |set, k| set | 1 << k),
+            falling: CreasedOnly::some(falling.fold(0, |set, k| set | 1 << k)),
             reach: range(&heights(&points, normal, 0.0)),
             points,
             normal,
@@ -231,14 +231,17 @@ impl Tile {
 
     /// The facets by their corners, two a cell. Each cell's diagonal runs, as it is drawn,
     /// from its corner next to the spine and the foot; along a crease also the other way.
-    fn facets(&self) -> impl Iterator<Item = [usize; 3]> + use<> {
-        let falling = self.falling;
+    fn facets(&self) -> impl Iterator<Item = [usize; 3]> {
         (0..2 * TILE * TILE).map(move |number| {
             let cell = number / 2;
             let here = cell / TILE * SIDE + cell % TILE;
-            let is_falling = CAN_CREASE && falling >> here & 1 == 1;
-            cut_cell(here, SIDE, is_falling)[number % 2]
+            cut_cell(here, SIDE, self.is_falling(here))[number % 2]
         })
+    }
+
+    fn is_falling(&self, cell: usize) -> bool {
+        let falling = self.falling.as_ref();
+        falling.is_some_and(|falling| falling >> cell & 1 == 1)
     }
 
     fn cone(&self) -> Cone {
@@ -306,8 +309,11 @@ impl Tile {
         let triangle = Triangle::of(facet, 1.0);
         (0..SIDE * SIDE).any(|k| {
             let (right, up) = (k % SIDE < TILE, k / SIDE < TILE);
-            let is_falling = CAN_CREASE && self.falling >> k & 1 == 1;
-            let across = if is_falling { [1, SIDE] } else { [0, SIDE + 1] };
+            let across = if self.is_falling(k) {
+                [1, SIDE]
+            } else {
+                [0, SIDE + 1]
+            };
             let ends = [(right, [0, 1]), (up, [0, SIDE]), (right && up, across)];
             ends.into_iter().any(|(is_edge, steps)| {
                 if !is_edge {

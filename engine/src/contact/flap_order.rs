@@ -7,8 +7,8 @@
 //! such flaps one lies upon the other: the one that is farther up, as far as they are over each other.
 
 use super::mesh::Mesh;
-use super::triangle::PlanTriangle;
 use crate::grid::{cells, cut_cell};
+use crate::triangle::PlanTriangle;
 use crate::vector::{dot, unit};
 
 /// Whether parts of a leaf lie upon those of a neighbour, by whether the part of the one and that of
@@ -23,7 +23,7 @@ impl FlapOrder {
 
     /// The order of a leaf's parts and those of its neighbour on the right.
     pub fn of(left: Mesh<'_>, right: Mesh<'_>) -> FlapOrder {
-        if left.folds.turned_over.is_empty() && right.folds.turned_over.is_empty() {
+        if !left.folds.turn_over() && !right.folds.turn_over() {
             return FlapOrder::NONE;
         }
         // A leaf on the left has its verso up, one on the right its recto.

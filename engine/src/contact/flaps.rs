@@ -1,18 +1,10 @@
 //! The parts of a creased leaf between its creases, and where they meet each other.
 
-use super::tolerance::{CURLED, DEEPEST, GAP, PUSHED_AT_ONCE};
-use super::triangle::{BESIDE, area_normal};
-use crate::models::sheet::{CONTACTS, Contact, Sheet};
+use super::tolerance::{CURLED, DEEPEST, GAP};
+use crate::models::sheet::{Sheet, Touching};
+use crate::triangle::{BESIDE, area_normal};
 use crate::turn::TurnModel;
-use crate::vector::{cross, dot, sub, unit};
-
-/// How firm a part of a leaf is at most for another that lies upon it: below 1, so that none is
-/// put where it would be by its plane alone, as over piles.
-const FIRM: f32 = 0.9;
-
-/// Which contacts of a node are those with other parts of its own creased leaf: it may lie
-/// between two.
-pub const PARTS: [usize; 2] = [3, CONTACTS - 1];
+use crate::vector::{dot, sub, unit};
 
 /// How much longer than at rest a triangle's sides may be, and what lies over it still be found.
 const STRETCHED: f32 = 1.1;
@@ -27,7 +19,7 @@ struct PartTriangle {
     nodes: [usize; 3],
     /// A set of bits, one for each crease that it lies beyond.
     part: u16,
-    /// How far from its first node something may be that touches it, metres, squared.
+    /// How far from its first node something may be that touches it, metres.
     reach: f32,
 }
 
@@ -57,34 +49,6 @@ pub struct Flaps {
     across: Vec<(u16, [usize; 2])>,
 }
 
-/// A node of one part over a triangle of another.
-struct Touch {
-    node: usize,
-    /// The triangle's nodes.
-    under: [usize; 3],
-    /// The parts of the node and of the triangle.
-    parts: [u16; 2],
-    /// The direction from the triangle to the node's side of it.
-    normal: [f32; 3],
-    /// How far the node is from where it touches, metres.
-    gap: f32,
-}
-
-/// What keeps a node of one part off another part.
-pub struct PartContact {
-    pub node: usize,
-    /// Which of the node's contacts it is, of [`PARTS`].
-    pub slot: usize,
-    /// The direction in which the node is kept off.
-    pub normal: [f32; 3],
-    /// How far it will be from the other part at the end of the step, metres.
-    pub gap: f32,
-    /// Velocity of the other part there, m/s.
-    pub velocity: [f32; 3],
-    /// As [`Contact::firmness`](crate::Contact::firmness).
-    pub firmness: f32,
-}
-
 impl Flaps {
     /// The parts of a sheet; None where it is not creased.
     pub fn of(sheet: &Sheet) -> Option<Flaps> {
@@ -106,8 +70,7 @@ impl Flaps {
             let [a, b, c] = nodes.map(|node| places[node]);
             let side = |way: [f32; 3]| dot(way, way).sqrt();
             let longest = side(sub(b, a)).max(side(sub(c, a)));
-            let over = (1.0 + 2.0 * BESIDE) * STRETCHED * longest + CURLED + PARTS_GAP;
-            over * over
+            (1.0 + 2.0 * BESIDE) * STRETCHED * longest + CURLED + PARTS_GAP
         };
         let mut across = Vec::new();
         for (number, (corners, part)) in triangles.iter().enumerate() {
@@ -284,81 +247,13 @@ impl Flaps {
         found
     }
 
-    /// Writes the [contacts](Self::contacts) of the parts of a loose sheet, the one that these are
-    /// of, in place of those of the last time.
-    pub fn write_contacts(&self, sheet: &mut Sheet) {
-        let settings = sheet.settings();
-        let (columns, friction) = (settings.columns, settings.stock.friction as f32);
+    /// Has parts of a sheet, the one that these are of, kept off each other in its next
+    /// so many steps.
+    pub fn touch(&self, sheet: &mut Sheet, steps: u32) {
+        let seconds = steps as f32 * sheet.time_step();
         let points = sheet.positions().as_chunks::<3>().0;
         let velocities = sheet.velocities().as_chunks::<3>().0;
-        let found = self.contacts(points, velocities, columns, sheet.time_step());
-        let (positions, contacts) = sheet.contact_state();
-        for contacts in contacts.iter_mut() {
-            for slot in PARTS {
-                contacts[slot] = Contact::default();
-            }
-        }
-        for part in found {
-            let place = positions.as_chunks::<3>().0[part.node];
-            contacts[part.node][part.slot] = Contact {
-                normal: part.normal,
-                offset: dot(part.normal, place) - part.gap.max(-PUSHED_AT_ONCE),
-                velocity: part.velocity,
-                friction,
-                firmness: part.firmness,
-            };
-        }
-    }
-
-    /// Finds the contacts of the parts with each other, of a leaf of `columns` whose nodes are
-    /// at `points` and move at `velocities`: a node with the triangle that it lies upon, and
-    /// that one's nodes with it. As among leaves, what lies upon another yields to it; both
-    /// stand where they will be in so many seconds. The column at the spine has none. Of two
-    /// for the same contact of a node the later counts.
-    pub fn contacts(
-        &self,
-        points: &[[f32; 3]],
-        velocities: &[[f32; 3]],
-        columns: usize,
-        seconds: f32,
-    ) -> Vec<PartContact> {
-        // For each node the parts that it touches, and by how much it is off them.
-        let mut known = vec![[(0, f32::INFINITY); PARTS.len()]; points.len()];
-        let mut found = Vec::new();
-        for touch in self.touches(points) {
-            let out = touch.normal;
-            let back = out.map(|n| -n);
-            let [a, b, c] = touch.under;
-            let [own, other] = touch.parts;
-            for (node, normal, part, other) in [
-                (touch.node, out, other, a),
-                (a, back, own, touch.node),
-                (b, back, own, touch.node),
-                (c, back, own, touch.node),
-            ] {
-                let gaps = &mut known[node];
-                // Its own, or in place of the part that it is farthest off.
-                let same = gaps
-                    .iter()
-                    .position(|(of, gap)| *of == part && gap.is_finite());
-                let farthest = usize::from(gaps[1].1 >= gaps[0].1);
-                let at = same.unwrap_or(farthest);
-                if node % columns == 0 || touch.gap >= gaps[at].1 {
-                    continue;
-                }
-                gaps[at] = (part, touch.gap);
-                let velocity = velocities[other];
-                found.push(PartContact {
-                    node,
-                    slot: PARTS[at],
-                    normal,
-                    gap: touch.gap - seconds * dot(normal, velocity),
-                    velocity,
-                    firmness: (0.5 + normal[2]).clamp(1.0 - FIRM, FIRM),
-                });
-            }
-        }
-        found
+        sheet.touch(self.touching(points, velocities, seconds));
     }
 
     /// The side of a drawn triangle's part on which another part lies, 1 for that of its normal or
@@ -372,8 +267,13 @@ impl Flaps {
     /// Finds where nodes of the leaf are over triangles of other parts of it, or in them: for
     /// each node and each other part at most one. A flap stays on the side to which its crease
     /// folds it.
-    fn touches(&self, points: &[[f32; 3]]) -> Vec<Touch> {
-        let mut found: Vec<Touch> = Vec::new();
+    fn touching(
+        &self,
+        points: &[[f32; 3]],
+        velocities: &[[f32; 3]],
+        seconds: f32,
+    ) -> Vec<Touching> {
+        let mut found: Vec<(Touching, u16, f32)> = Vec::new();
         let facing = self.facing(points);
         for (node, part) in self.parts.iter().enumerate() {
             let Some(part) = *part else { continue };
@@ -382,24 +282,42 @@ impl Flaps {
             let faces = facing_of(&facing, part);
             for other in &self.triangles {
                 let away = sub(point, points[other.nodes[0]]);
-                if other.part == part || dot(away, away) > other.reach {
+                let speed = sub(velocities[node], velocities[other.nodes[0]]);
+                let nearer = seconds * dot(speed, speed).sqrt();
+                let reach = other.reach + nearer;
+                if other.part == part || dot(away, away) > reach * reach {
                     continue;
                 }
-                let parts = [part, other.part];
                 let is_alike = dot(faces, facing_of(&facing, other.part)) > 0.0;
-                let side = self.side_of(other.part, part, is_alike);
-                let is_joined = other.nodes.map(|corner| self.parts[corner].is_none());
-                let Some(touch) = touch(points, node, (other.nodes, is_joined), parts, side) else {
+                let (side, deepest) = self.side_of(other.part, part, is_alike);
+                let mut touching = Touching {
+                    node,
+                    under: other.nodes,
+                    is_joined: other.nodes.map(|corner| self.parts[corner].is_none()),
+                    side,
+                    distance: PARTS_GAP,
+                    left: 0.0,
+                };
+                let near = PARTS_GAP - deepest..=PARTS_GAP + CURLED + nearer;
+                let Some([_, gap]) = touching
+                    .height_and_gap(|node| points[node])
+                    .filter(|[height, _]| near.contains(height))
+                else {
                     continue;
                 };
-                match found[first..].iter_mut().find(|known| known.parts == parts) {
-                    Some(known) if known.gap.abs() <= touch.gap.abs() => {}
-                    Some(known) => *known = touch,
-                    None => found.push(touch),
+                // What is deep in another part comes out of it over several ticks.
+                touching.left = (-gap - GAP).max(0.0);
+                match found[first..]
+                    .iter_mut()
+                    .find(|(_, known, _)| *known == other.part)
+                {
+                    Some((.., known)) if known.abs() <= gap.abs() => {}
+                    Some(known) => *known = (touching, other.part, gap),
+                    None => found.push((touching, other.part, gap)),
                 }
             }
         }
-        found
+        found.into_iter().map(|(touching, ..)| touching).collect()
     }
 }
 
@@ -419,45 +337,6 @@ pub fn add_facing(facing: &mut Vec<(u16, [f32; 3])>, part: u16, normal: [f32; 3]
 pub fn facing_of(facing: &[(u16, [f32; 3])], part: u16) -> [f32; 3] {
     let known = facing.iter().find(|(of, _)| *of == part);
     known.map_or([0.0; 3], |(_, normal)| *normal)
-}
-
-/// How a node touches a triangle of its leaf, if it lies over it on a side (1 the recto's) or
-/// not deeper in it than `deepest`. `parts` are those of the node and of the triangle, of which
-/// some corners are on creases: there parts are joined, and keep the less distance the nearer, on
-/// the crease none.
-fn touch(
-    points: &[[f32; 3]],
-    node: usize,
-    (under, is_joined): ([usize; 3], [bool; 3]),
-    parts: [u16; 2],
-    (side, deepest): (f32, f32),
-) -> Option<Touch> {
-    let point = points[node];
-    let [a, b, c] = under.map(|corner| points[corner]);
-    let away = sub(point, a);
-    let [u, v] = [sub(b, a), sub(c, a)];
-    let across = cross(u, v);
-    let normal = unit(across);
-    let height = side * dot(away, normal);
-    if !(PARTS_GAP - deepest..=CURLED + PARTS_GAP).contains(&height) {
-        return None;
-    }
-    let inverse = 1.0 / dot(across, across);
-    let on_b = dot(cross(away, v), across) * inverse;
-    let on_c = dot(cross(u, away), across) * inverse;
-    let weights = [1.0 - on_b - on_c, on_b, on_c];
-    let is_over = weights.iter().all(|part| *part > -BESIDE);
-    let joined = weights.iter().zip(is_joined).filter(|(_, is)| *is);
-    let joined: f32 = joined.map(|(weight, _)| *weight).sum();
-    let gap = height - PARTS_GAP * (1.0 - joined).clamp(0.0, 1.0);
-    // The end of a part that reaches as far as the fold that it lies in is over both sides of it.
-    (is_over && joined < 1.0 - BESIDE).then(|| Touch {
-        node,
-        under,
-        parts,
-        normal: normal.map(|n| side * n),
-        gap,
-    })
 }
 
 #[cfg(test)]

@@ -2,10 +2,10 @@
 //! place on it.
 
 use super::tolerance::BEYOND_RIM;
-use super::triangle::{area_normal, nearest_weights, place_of};
+use crate::creased_only::CreasedOnly;
 use crate::grid::cut_cell;
-use crate::models::sheet::CAN_CREASE;
 use crate::surface::Surface;
+use crate::triangle::{area_normal, nearest_weights, place_of};
 use crate::vector::{cross, dot, sub, unit};
 
 /// Points of a leaf in book space, row by row from the foot.
@@ -22,17 +22,39 @@ pub struct Mesh<'a> {
 /// What creases change of a mesh; by default nothing.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Folds<'a> {
-    /// The points that belong to what is folded over, where anything is: the recto's side of
-    /// the leaf is there the side of its verso.
-    pub turned_over: &'a [bool],
-    /// The cells, by their first points, that are cut along their other diagonal.
-    pub falling: &'a [bool],
+    turned_over: CreasedOnly<&'a [bool]>,
+    falling: CreasedOnly<&'a [bool]>,
 }
 
-impl Folds<'_> {
+impl<'a> Folds<'a> {
+    /// Those of a mesh.
+    ///
+    /// `turned_over` are the points that belong to what is folded over, empty where nothing is: the
+    /// recto's side of the leaf is there the side of its verso. `falling` are the cells, by their
+    /// first points, that are cut along their other diagonal.
+    pub fn of(turned_over: &'a [bool], falling: &'a [bool]) -> Self {
+        Self {
+            turned_over: CreasedOnly::some(turned_over),
+            falling: CreasedOnly::some(falling),
+        }
+    }
+
     /// Whether a cell is cut from its corner next to the fore-edge and the foot.
     pub fn is_falling(&self, cell: usize) -> bool {
-        CAN_CREASE && self.falling.get(cell) == Some(&true)
+        let falling = self.falling.as_ref();
+        falling.is_some_and(|falling| falling.get(cell) == Some(&true))
+    }
+
+    /// Whether a point belongs to what is folded over.
+    pub fn is_turned_over(&self, point: usize) -> bool {
+        let turned_over = self.turned_over.as_ref();
+        turned_over.is_some_and(|turned_over| turned_over.get(point) == Some(&true))
+    }
+
+    /// Whether anything may be folded over.
+    pub fn turn_over(&self) -> bool {
+        let turned_over = self.turned_over.as_ref();
+        turned_over.is_some_and(|turned_over| !turned_over.is_empty())
     }
 }
 
@@ -107,7 +129,7 @@ impl<'a> Mesh<'a> {
 
     /// Whether a node belongs to what is folded over.
     pub fn is_turned_over(&self, node: usize) -> bool {
-        CAN_CREASE && self.folds.turned_over.get(node) == Some(&true)
+        self.folds.is_turned_over(node)
     }
 
     pub fn rows(&self) -> usize {

@@ -14,5 +14,4 @@ pub mod separate;
 pub mod separate_folded;
 pub mod separate_parts;
 pub mod tolerance;
-pub mod triangle;
 pub mod work;

@@ -7,8 +7,9 @@
 
 use super::aabb::Aabb;
 use super::tolerance::SLIVER;
-use super::triangle::PlanTriangle;
 use crate::real::bounded;
+use crate::triangle::PlanTriangle;
+use crate::vector::sub;
 
 /// How steeply heights fall off at most, as a sheet drapes over a rim.
 const SLOPE: f32 = 1.0;
@@ -49,6 +50,18 @@ impl Lattice {
     /// The last node before a place along x or y.
     fn before(self, at: f32) -> i32 {
         libm::floorf(at / self.spacing) as i32
+    }
+
+    /// Places between the ends of an edge, less than two spacings from each other in plan: none of
+    /// its places is farther from one of these, or an end, than heights are known beside paper.
+    fn places_along(self, [from, to]: [[f32; 3]; 2]) -> impl Iterator<Item = [f32; 3]> {
+        let way = sub(to, from);
+        let length = (way[0] * way[0] + way[1] * way[1]).sqrt();
+        let count = libm::floorf(length / self.spacing) as u32;
+        (1..count).map(move |number| {
+            let part = number as f32 / count as f32;
+            [0, 1, 2].map(|axis| from[axis] + part * way[axis])
+        })
     }
 
     /// Calls `visit` with each node that lies in a triangle in plan, and the height there.
@@ -220,6 +233,14 @@ impl Relief {
                     most = most.max(missing(height, z));
                 }
             });
+            // Where an edge passes over a rim no node need be in its triangle.
+            for (from, to) in [(0, 1), (1, 2), (2, 0)] {
+                for [x, y, z] in self.lattice.places_along([places[from], places[to]]) {
+                    if let Some(height) = self.drawn_height(x, y) {
+                        most = most.max(missing(height, z));
+                    }
+                }
+            }
             for corner in corners {
                 let rise = &mut rises[*corner as usize];
                 *rise = rise.max(most);

@@ -12,8 +12,8 @@ use super::flap_order::FlapOrder;
 use super::flaps::is_turned_over;
 use super::separate_parts::{BLOCK, Block, DrawnParts, Slab};
 use super::tolerance::{NOT_UPON, ROOM_FROM_SPINE, SLACK, SLIVER};
-use super::triangle::{BESIDE, EdgePlace, Triangle};
 use super::work::Work;
+use crate::triangle::{BESIDE, EdgePlace, Triangle};
 use crate::vector::dot;
 
 /// Work of looking at two blocks, at a point beside a block or a triangle, and at a triangle,

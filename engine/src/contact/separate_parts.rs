@@ -12,10 +12,10 @@
 use super::aabb::Aabb;
 use super::flaps::{Flaps, add_facing, facing_of};
 use super::tolerance::{NOT_UPON, OVER_PILE, SLACK};
-use super::triangle::{BESIDE, Triangle, area_normal};
 use super::work::Work;
 use crate::grid::{cells, cut_cell};
 use crate::surface::Surface;
+use crate::triangle::{BESIDE, Triangle, area_normal};
 use crate::vector::{dot, unit};
 use core::ops::Range;
 

@@ -7,7 +7,7 @@ use core::f32::consts::PI;
 
 use super::settings::{InvalidLoose, LooseSettings};
 use crate::air::Air;
-use crate::contact::flaps::{Flaps, PARTS};
+use crate::contact::flaps::Flaps;
 use crate::grid::Side;
 use crate::models::sheet::{Contact, FoldLine, Root, Sheet, SheetSettings};
 use crate::turn::TurnModel;
@@ -97,11 +97,7 @@ impl TableSheet {
         }
         self.sheet.crease(lines)?;
         self.flaps = Flaps::of(&self.sheet);
-        for contacts in self.sheet.contacts_mut() {
-            for slot in PARTS {
-                contacts[slot] = Contact::default();
-            }
-        }
+        self.sheet.touch(Vec::new());
         self.sheet.let_yield(self.may_yield);
         Ok(())
     }
@@ -185,6 +181,6 @@ impl TableSheet {
     /// Finds what parts of it touch of each other.
     fn keep_apart(&mut self) {
         let Some(flaps) = &self.flaps else { return };
-        flaps.write_contacts(&mut self.sheet);
+        flaps.touch(&mut self.sheet, 1);
     }
 }

@@ -1,5 +1,12 @@
 /** `<turnleaf-book>`: a book on a web page. */
 
+import {
+  type AttributeEffect,
+  attributeName,
+  attributeProperties,
+  attributes,
+} from "./attributes.ts";
+import { readStocks } from "./book/leaf_stocks.ts";
 import type { PagePlace } from "./book/page_folds.ts";
 import type { Paper } from "./book/paper.ts";
 import {
@@ -13,25 +20,19 @@ import {
 } from "./book/spreads.ts";
 import type { BookState } from "./book/turning.ts";
 import { ControlsLoader } from "./controls/controls_loader.ts";
-import {
-  type AttributeEffects,
-  adopt,
-  attributes,
-  bindingOptionsOf,
-  paperOf,
-  tearLineOf,
-  turnSecondsOf,
-} from "./element/attributes.ts";
-import { BookLifecycle, type OpenBook, pdfWorkerOf } from "./element/book_lifecycle.ts";
+import { bindingOptionsOf, paperOf, turnSecondsOf } from "./element/attribute_options.ts";
+import { BookLifecycle, pdfWorkerOf } from "./element/book_lifecycle.ts";
 import type { TurnDetail } from "./element/events.ts";
 import { failureDetail, sentenceOf } from "./element/failure_detail.ts";
 import { placeOf } from "./element/fold_lists.ts";
+import type { OpenBook } from "./element/open_book.ts";
 import type { PageChanges } from "./element/page_changes.ts";
 import { layoutLists, type PageLists } from "./element/page_lists.ts";
 import { pageNumber, RequestedPage } from "./element/page_numbers.ts";
 import { differs, expectedPage, PageShown } from "./element/page_shown.ts";
-import { darkPagesOf, pageThemeOf, watchScheme } from "./element/page_theme.ts";
+import { pageThemeOf, watchScheme } from "./element/page_theme.ts";
 import { ReaderElement } from "./element/reader_element.ts";
+import { adopt } from "./element/reflecting_element.ts";
 import { openPages, ShadowTree } from "./element/shadow_tree.ts";
 import { SoundAndHaptics } from "./element/sound_and_haptics.ts";
 import type { TornPages } from "./element/torn_pages.ts";
@@ -40,7 +41,13 @@ import { pagesIn } from "./sources/html/child_pages.ts";
 import { loadPart } from "./sources/load_part.ts";
 import type { BookInput } from "./sources/open.ts";
 import type { PageList } from "./sources/page_list.ts";
-import { BookError, type NewIndex, type PageSize, type Typography } from "./sources/page_source.ts";
+import {
+  BookError,
+  type NewIndex,
+  type PageColours,
+  type PageSize,
+  type Typography,
+} from "./sources/page_source.ts";
 import { paperback } from "./sources/typeset/page_measures.ts";
 import { coloursOf } from "./themes.ts";
 import type { Viewer, ViewerOptions, Zoom } from "./viewer/viewer.ts";
@@ -49,6 +56,16 @@ import { elementTexts, fill, languageOf, loadLanguage, percent } from "./words/l
 
 /** Duration of a zoom by command, seconds. */
 const zoomSeconds = 0.25;
+
+/** What a change of an observed attribute acts on, by its name: HTML's own language, the page, and the table. */
+const effects: ReadonlyMap<string, AttributeEffect> = new Map([
+  ["lang", "speak"],
+  ["page", "setPage"],
+  ...attributeProperties.flatMap((property) => {
+    const { effect } = attributes[property];
+    return effect ? [[attributeName(property), effect] as const] : [];
+  }),
+]);
 
 /** How pages change by a command. */
 export interface TurnOptions {
@@ -67,7 +84,7 @@ export interface TurnOptions {
  */
 export class TurnleafBook extends ReaderElement {
   /** Attributes whose changes are observed. */
-  static readonly observedAttributes: readonly string[] = Object.keys(attributes);
+  static readonly observedAttributes: readonly string[] = [...effects.keys()];
 
   readonly #tree = new ShadowTree();
   readonly #life = new BookLifecycle(this, this.#tree.stage, {
@@ -429,7 +446,7 @@ export class TurnleafBook extends ReaderElement {
   async tearOut(page: number = this.page): Promise<boolean> {
     const viewer = this.#viewer;
     await this.#allowTearing();
-    if (tearLineOf(this) === null || viewer !== this.#viewer) return false;
+    if (this.tearable === "none" || viewer !== this.#viewer) return false;
     return (await viewer?.sheets.tearOut(page, this.#motion === "turn")) ?? false;
   }
 
@@ -609,10 +626,11 @@ export class TurnleafBook extends ReaderElement {
 
   /** @internal */
   attributeChangedCallback(name: string, before: string | null, now: string | null): void {
-    if (before !== now) attributes[name]?.(this.#effects, now);
+    const effect = effects.get(name);
+    if (effect !== undefined && before !== now) this.#effects[effect](now);
   }
 
-  readonly #effects: AttributeEffects = {
+  readonly #effects: Readonly<Record<AttributeEffect, (value: string | null) => void>> = {
     speak: () => {
       if (this.#connected) void this.#speak(true);
     },
@@ -621,9 +639,11 @@ export class TurnleafBook extends ReaderElement {
     },
     rebind: () => this.#viewer?.rebind(this.#binding),
     recolour: () => this.#recolour(),
-    listPages: (name, list) => {
-      this.listPages(name, list);
-      this.#viewer?.rebind(this.#binding);
+    listHardPages: () => this.#relist("hardPages"),
+    listStocks: () => {
+      for (const error of readStocks(this.stocks).errors)
+        console.warn(`turnleaf-book: stocks: ${error}`);
+      this.#relist("stocks");
     },
     setPage: (value) => {
       this.page = value as unknown as number;
@@ -645,6 +665,12 @@ export class TurnleafBook extends ReaderElement {
     allowFolding: () => this.foldOpened(),
     allowTearing: () => void this.#allowTearing(),
   };
+
+  /** Pages of a list are of board, or of other stocks, from now on. */
+  #relist(name: "hardPages" | "stocks"): void {
+    this.listPages(name, this[name]);
+    this.#viewer?.rebind(this.#binding);
+  }
 
   /** @internal */
   protected override get book(): OpenBook | null {
@@ -819,7 +845,7 @@ export class TurnleafBook extends ReaderElement {
    *
    * @internal
    */
-  get darkPagesNow(): ReturnType<typeof darkPagesOf> {
+  get darkPagesNow(): PageColours["pictures"] {
     const { source } = this;
     return source ? source.darkened(this.page - 1) : "";
   }
@@ -829,7 +855,7 @@ export class TurnleafBook extends ReaderElement {
     const book = this.#life.book;
     const theme = pageThemeOf(this);
     if (!book) return;
-    const colours = coloursOf(theme, darkPagesOf(this));
+    const colours = coloursOf(theme, this.darkPages);
     if (JSON.stringify(colours) === JSON.stringify(book.source.colours)) return;
     book.source.colours = colours;
     book.viewer.recolour(theme);
@@ -837,7 +863,7 @@ export class TurnleafBook extends ReaderElement {
   }
 
   #options(source: PageList): ViewerOptions {
-    source.colours = coloursOf(pageThemeOf(this), darkPagesOf(this));
+    source.colours = coloursOf(pageThemeOf(this), this.darkPages);
     const binding = this.#binding;
     this.#openedBy.binding = JSON.stringify(binding);
     return {
@@ -870,7 +896,7 @@ export class TurnleafBook extends ReaderElement {
       onPress: ({ page, corner, size }) => this.dogEar(page, corner, size),
       tearing: {
         // A leaf that comes off needs what keeps its pages.
-        line: () => (this.#torn ? tearLineOf(this) : null),
+        line: () => (this.#torn && this.tearable !== "none" ? this.tearable : null),
         mayTear: (pages) => this.ask("tear", { pages }),
         takeOut: (pages) => this.#torn?.takeOut(pages) ?? null,
         heard: (work) => this.#soundAndHaptics.tear(work),
@@ -952,7 +978,7 @@ export class TurnleafBook extends ReaderElement {
 
   /** Loads what tears leaves out and what keeps their pages, where they may be torn. */
   async #allowTearing(): Promise<void> {
-    if (tearLineOf(this) === null || !this.#viewer) return;
+    if (this.tearable === "none" || !this.#viewer) return;
     this.#loadingTears++;
     try {
       this.#loadingTorn ??= this.#loadTornPages();

@@ -1,7 +1,7 @@
 /** Whatever a text, an attribute or a file from outside says, its parser rejects it or stays within its bounds. */
 import { afterEach, describe, expect, vi } from "vitest";
 import { pagesNamed } from "./book/layout.ts";
-import { turnSecondsOf } from "./element/attributes.ts";
+import { turnSecondsOf } from "./element/attribute_options.ts";
 import { pageNumber } from "./element/page_numbers.ts";
 import { loadPlace, savePlace } from "./element/place_keeper.ts";
 import { clue, fuzzed, wildPieces } from "./for_tests/random_numbers.ts";

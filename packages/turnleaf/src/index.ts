@@ -7,6 +7,7 @@
 
 import { TurnleafBook } from "./element.ts";
 
+export type { Theme } from "./attributes.ts";
 export type { Corner, DogEar } from "./book/dog_ears.ts";
 export type { PageFold, PagePlace } from "./book/page_folds.ts";
 export type { Paper } from "./book/paper.ts";
@@ -21,7 +22,6 @@ export type {
 export type { RecordOptions } from "./element/film_recorder.ts";
 export type { PrintOptions } from "./element/printing.ts";
 export type { SearchOptions } from "./element/reader_element.ts";
-export type { Theme } from "./element/reflecting_element.ts";
 export { TurnleafBook, type TurnOptions } from "./element.ts";
 export type { Stock, StockFigures, Vec3 } from "./engine/shapes.ts";
 export type { TurnModelName } from "./leaf_models/model_choice.ts";
@@ -52,6 +52,7 @@ export {
   type PageSource,
   type TextPage,
   type TextRun,
+  type TitleFont,
   type Typography,
 } from "./sources/page_source.ts";
 export type { SearchHit } from "./text/searching.ts";

@@ -3,7 +3,7 @@ import formats from "../../../docs/formats.md?raw";
 import methods from "../../../docs/methods.md?raw";
 import golden from "../../../engine/tests/turns.golden?raw";
 import example from "../../../examples/12-models.html?raw";
-import attributes from "./element/reflecting_element.ts?raw";
+import attributes from "./attributes.ts?raw";
 import { turnModels } from "./leaf_models/model_choice.ts";
 import { models } from "./model_names.ts";
 
@@ -17,7 +17,7 @@ test("docs/formats.md gives every model its number", () => {
   expect(formats).toContain(`u32 model: ${numbers} |`);
 });
 
-test("the comment of `model` in element/reflecting_element.ts says what every model does", () => {
+test("the comment of `model` in attributes.ts says what every model does", () => {
   const comment = attributes.slice(0, attributes.indexOf("@attribute model\n"));
   for (const name of turnModels) expect(comment).toContain(`\`${name}\``);
 });

@@ -7,13 +7,15 @@ import { expect, test } from "vitest";
 import { commands } from "vitest/browser";
 import pdf from "../../../books/moby-dick.pdf?url";
 import { keepWhatIsDrawn } from "./for_tests/element_books.ts";
+import { isLong } from "./for_tests/long.ts";
+import { seed } from "./for_tests/random_numbers.ts";
 import { RandomOperations } from "./for_tests/random_operations.ts";
 import "./index.ts";
 
 keepWhatIsDrawn();
 
-const seed = Number(import.meta.env.VITE_SEED ?? 1);
-const count = Number(import.meta.env.VITE_OPERATIONS ?? 80);
+/** Operations of each test; of any kind, and folds and tears. */
+const counts = { any: isLong ? 80 : 50, folds: 30 };
 
 /** Operations between two checks. */
 const between = 5;
@@ -35,7 +37,7 @@ test(`at rest every page in sight is seen, whatever was asked before (seed ${see
 }, async () => {
   const operations = new RandomOperations({ seed, pdf, picture });
   await operations.start();
-  for (let k = 1; k <= count; k++) {
+  for (let k = 1; k <= counts.any; k++) {
     await operations.next();
     if (k % between > 0) continue;
     expect(await operations.check(), `seed ${seed}, ${operations.state}`).toEqual([]);
@@ -51,7 +53,7 @@ test(`all pages are back in their places once folds and tears are undone (seed $
 }, async () => {
   const operations = new RandomOperations({ seed, pdf, picture, only: "folds" });
   await operations.start();
-  for (let k = 1; k <= (3 / 8) * count; k++) {
+  for (let k = 1; k <= counts.folds; k++) {
     await operations.next();
     if (k % 10 > 0) continue;
     expect(await operations.undoAll(), `seed ${seed}, ${operations.state}`).toEqual([]);

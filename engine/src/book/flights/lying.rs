@@ -7,7 +7,7 @@ use crate::book::gutter::Gutter;
 use crate::book::phase::Phase;
 use crate::book::pile::Pile;
 use crate::grid::Side;
-use crate::models::sheet::{CAN_CREASE, FoldLine};
+use crate::models::sheet::FoldLine;
 
 impl Flights {
     /// Creases a leaf along lines in place of those that it has: where it flies or lies, it
@@ -18,12 +18,12 @@ impl Flights {
             .iter()
             .all(|crease| crease.is_valid() && crease.leaves_spine(size));
         let has_room = self.creased.has_room(leaf, creases.len());
-        if !CAN_CREASE || leaf >= self.leaves || !can_fold || !has_room {
+        if leaf >= self.leaves || !can_fold || !has_room {
             return false;
         }
         let drawn = self.drawn(leaf);
         let is_creased = match drawn {
-            Some(index) if self.order[index].id() != LYING => self.order[index].crease(creases),
+            Some(index) if !self.order[index].lies() => self.order[index].crease(creases),
             _ => self.creased.has_lines(creases) || self.pattern.can_crease(leaf, creases),
         };
         if !is_creased {
@@ -75,21 +75,19 @@ impl Flights {
             Side::Right => self.order.len().checked_sub(1)?,
         };
         let flight = self.order.get(index)?;
-        let lies_there = flight.id() == LYING && flight.phase().side() == Some(side);
-        (CAN_CREASE && lies_there).then_some(index)
+        let lies_there = flight.lies() && flight.phase().side() == Some(side);
+        lies_there.then_some(index)
     }
 
     /// How many are in flight.
     pub fn flying(&self) -> usize {
-        let in_flight = |flight: &&Flight| !CAN_CREASE || flight.id() != LYING;
+        let in_flight = |flight: &&Flight| !flight.lies();
         self.order.iter().filter(in_flight).count()
     }
 
     /// Whether nothing moves that is drawn.
     pub fn is_still(&self) -> bool {
-        let lies = |flight: &Flight| {
-            CAN_CREASE && flight.id() == LYING && matches!(flight.phase(), Phase::Resting(_))
-        };
+        let lies = |flight: &Flight| flight.lies() && matches!(flight.phase(), Phase::Resting(_));
         self.order.iter().all(lies)
     }
 
@@ -122,15 +120,13 @@ impl Flights {
 
     /// Says that creased leaves which have come to rest uppermost on a side lie there.
     pub(super) fn let_lie(&mut self) {
-        if !CAN_CREASE {
-            return;
-        }
         let ends = [
             (self.order.first(), Side::Left),
             (self.order.last(), Side::Right),
         ];
         let at = ends.map(|(flight, side)| {
-            let has_landed = |flight: &&Flight| flight.phase() == Phase::Resting(side);
+            let has_landed =
+                |flight: &&Flight| flight.is_creased() && flight.phase() == Phase::Resting(side);
             flight.filter(has_landed).map(Flight::id)
         });
         for id in at.into_iter().flatten() {
@@ -145,11 +141,9 @@ impl Flights {
 
     /// Lets seconds pass in which nothing moves. Creases that are pressed shut creep meanwhile.
     pub fn wait(&mut self, seconds: f64) {
-        if CAN_CREASE {
-            self.creased.pass(seconds);
-            for flight in &mut self.order {
-                flight.leaf_mut().stay_pressed(seconds);
-            }
+        self.creased.pass(seconds);
+        for flight in &mut self.order {
+            flight.leaf_mut().stay_pressed(seconds);
         }
     }
 
@@ -157,7 +151,7 @@ impl Flights {
     /// pressed flat between the piles (right and left), as it lay in there. The next steps open its
     /// folds to where they rest. Returns whether there is.
     pub fn uncover(&mut self, side: Side, gutter: &Gutter, piles: [&Pile; 2]) -> bool {
-        if !CAN_CREASE || self.lying(side).is_some() || self.order.len() == MOST_FLIGHTS {
+        if self.lying(side).is_some() || self.order.len() == MOST_FLIGHTS {
             return false;
         }
         let leaf = match side {
@@ -194,7 +188,7 @@ impl Flights {
             Some(Side::Left) => index.checked_sub(1).and_then(|under| self.order.get(under)),
             None => None,
         };
-        CAN_CREASE && under.is_some_and(|under| under.leaf().is_creased())
+        under.is_some_and(|under| under.leaf().is_creased())
     }
 
     /// Whether flight `index` is creased and another comes down upon it or leaves it.
@@ -207,8 +201,7 @@ impl Flights {
         };
         let apart =
             |over: &Flight| (over.leaf().fraction_turned() - own.leaf().fraction_turned()).abs();
-        CAN_CREASE
-            && own.leaf().is_creased()
+        own.leaf().is_creased()
             && over.is_some_and(|over| !over.leaf().is_down() && apart(over) < NEAR)
     }
 }

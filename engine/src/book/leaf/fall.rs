@@ -7,7 +7,6 @@ use crate::book::limits::{MAX_GRABS, NODES, TICK};
 use crate::book::phase::Phase;
 use crate::contact::flaps::Flaps;
 use crate::grid::Side;
-use crate::models::sheet::CAN_CREASE;
 
 /// A leaf nearer to rest than this part of its width and slower than this (m/s, of one of the usual
 /// width) everywhere is eased to rest within `SETTLE_SECONDS`; so is one of the usual width that
@@ -109,11 +108,13 @@ impl Leaf {
         })
     }
 
-    /// Whether it has fallen for as long as a leaf may: it is put down as soon as what lies
-    /// under it is down, on the side that it is headed for by then.
+    /// Whether it has fallen for as long as a leaf may, or stands in the air, caught by its own
+    /// folds or by others: it is put down as soon as what lies under it is down, on the side that
+    /// it is headed for by then.
     pub fn is_overdue(&self) -> bool {
         let longest = LONGEST_FALL * self.slowness();
-        matches!(self.phase, Phase::Falling(_)) && self.fallen as f32 * TICK > longest
+        matches!(self.phase, Phase::Falling(_))
+            && (self.fallen as f32 * TICK > longest || self.stands_still())
     }
 
     /// Turns a falling leaf toward a side. It has fallen for as long as before.
@@ -127,14 +128,20 @@ impl Leaf {
 
     /// Whether folds, its own or those under it, may keep it from lying flat.
     pub(super) fn may_be_held_up(&self) -> bool {
-        CAN_CREASE && (self.is_held_up || self.sheet.is_creased())
+        self.is_held_up || self.sheet.is_creased()
     }
 
     /// Whether a leaf lies on its side as still as it will: what folds hold up rests above the
     /// pile.
     fn lies_held_up(&self, side: Side) -> bool {
+        self.to_go(side) < HELD_UP_TO_GO && self.stands_still()
+    }
+
+    /// Whether a leaf that folds may hold up is where nothing moves it any more, wherever that is:
+    /// a tick that is taken back leaves it there with some speed, and the next one is like it.
+    fn stands_still(&self) -> bool {
         let is_led = self.due.is_some_and(|due| due > 0.0);
-        self.to_go(side) < HELD_UP_TO_GO
+        self.may_be_held_up()
             && !is_led
             && self.opening.is_none()
             && (self.lies_still() || self.is_slow())

@@ -4,8 +4,9 @@ use super::Leaf;
 use super::opening::Opening;
 use crate::book::phase::Phase;
 use crate::contact::flaps::Flaps;
+use crate::creased_only::CreasedOnly;
 use crate::grid::Side;
-use crate::models::sheet::{CAN_CREASE, FoldLine};
+use crate::models::sheet::FoldLine;
 
 impl Leaf {
     /// Lays the leaf still on a side as it lies under others, its folds shut. Woken, it opens them
@@ -20,14 +21,14 @@ impl Leaf {
         for (crease, rest) in from.iter().enumerate() {
             self.press_to(crease, *rest);
         }
-        self.opening = Some(Opening::new(from, to));
+        self.opening = CreasedOnly::some(Opening::new(from, to));
     }
 
     /// Has its creases creep toward where they are pressed to, for so many seconds, where they have not
     /// begun to open.
     pub fn stay_pressed(&mut self, seconds: f64) {
         let lines = self.sheet.creases();
-        if let (true, Some(opening)) = (CAN_CREASE, &mut self.opening) {
+        if let Some(opening) = self.opening.as_mut() {
             opening.creep(&lines, seconds);
         }
     }
@@ -42,7 +43,7 @@ impl Leaf {
 
     /// Whether it has landed in this tick.
     pub fn has_landed(&self) -> bool {
-        CAN_CREASE && self.settling == Some(0.0)
+        self.settling == Some(0.0)
     }
 
     /// Has it eased, as it has just landed, to where it lies pressed flat, and its folds open from
@@ -63,7 +64,8 @@ impl Leaf {
     /// Where it is being eased to where it lies pressed flat, has it lie there: on the way its edges
     /// do not keep their lengths. Returns whether it was.
     pub(super) fn end_open_anew(&mut self) -> bool {
-        let (true, Phase::Falling(side)) = (CAN_CREASE && self.opens_anew, self.phase) else {
+        let (true, Phase::Falling(side)) = (self.opens_anew && self.is_creased(), self.phase)
+        else {
             return false;
         };
         let put_down = self.put_down;
@@ -92,7 +94,7 @@ impl Leaf {
     /// The creases of the leaf, each with the angle at which it rests, or will once it is open.
     pub fn creases(&self) -> Vec<FoldLine> {
         let mut creases = self.sheet.creases();
-        if let (true, Some(opening)) = (CAN_CREASE, &self.opening) {
+        if let Some(opening) = self.opening.as_ref() {
             for (crease, to) in creases.iter_mut().zip(&opening.to) {
                 crease.rest = f64::from(*to);
             }
@@ -105,7 +107,7 @@ impl Leaf {
     pub fn press(&mut self, crease: usize, rest: f32) {
         // Where it was to be eased to rest it would lie as it landed, folded as it was then.
         self.settling = None;
-        match self.opening.as_mut().filter(|_| CAN_CREASE) {
+        match self.opening.as_mut() {
             Some(opening) => {
                 if let Some(to) = opening.to.get_mut(crease) {
                     *to = rest;
@@ -117,7 +119,7 @@ impl Leaf {
 
     /// Opens creases that were pressed shut by a tick.
     pub(super) fn step_opening(&mut self) {
-        let Some(opening) = self.opening.as_mut().filter(|_| CAN_CREASE) else {
+        let Some(opening) = self.opening.as_mut() else {
             return;
         };
         let Some(rests) = opening.step() else {
@@ -134,11 +136,7 @@ impl Leaf {
     /// Slows the leaf at the end of a tick while its creases open and nothing but its weight moves it.
     pub(super) fn slow_opening(&mut self) {
         let is_left_alone = matches!(self.phase, Phase::Falling(_));
-        if let Some(opening) = self
-            .opening
-            .as_ref()
-            .filter(|_| CAN_CREASE && is_left_alone)
-        {
+        if let Some(opening) = self.opening.as_ref().filter(|_| is_left_alone) {
             self.sheet.slow(opening.kept_speed());
         }
     }
@@ -154,7 +152,7 @@ impl Leaf {
 
     fn press_to(&mut self, crease: usize, rest: f32) {
         self.sheet.press(crease, rest);
-        if let (true, Some(flaps)) = (CAN_CREASE, &mut self.flaps) {
+        if let Some(flaps) = self.flaps.as_mut() {
             flaps.press(crease, rest);
         }
     }

@@ -693,7 +693,7 @@ fn a_folded_leaf_that_comes_to_lie_through_itself_is_opened_anew() {
         for _ in 0..400 {
             book.step(1);
             let leaf = book.flights.order()[0].leaf();
-            is_opened |= leaf.opening.is_some();
+            is_opened |= !leaf.opening.is_none();
             strain = strain.max(leaf.sheet.max_edge_strain());
             let now = leaf.sheet.positions().as_chunks::<3>().0.to_vec();
             for (p, q) in before.iter().flatten().zip(&now) {

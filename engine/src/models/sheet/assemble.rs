@@ -1,7 +1,7 @@
 //! Forces and matrix of a step, at the sheet's present state.
 
 use super::contact::add_contact;
-use super::settings::{CAN_CREASE, CAN_TEAR};
+use super::settings::CAN_TEAR;
 use super::{PIN, Sheet};
 use crate::vector::dot;
 
@@ -51,8 +51,8 @@ impl Sheet {
             *force += load;
         }
         let (then, tangents) = (&self.lagging, &self.lagging_tangents);
-        match &mut self.creased {
-            Some(creased) if CAN_CREASE => {
+        match self.creased.as_mut() {
+            Some(creased) => {
                 let hinges = &mut creased.hinges;
                 let square = self.h * self.h;
                 let inertia = self.mass.iter().map(|mass| mass / square);

@@ -5,12 +5,11 @@
 //! spring inside the implicit solve, which settles a landing leaf without the
 //! strain that moving nodes out afterwards would cost.
 
-use super::settings::CAN_CREASE;
 use super::system::System;
 use crate::vector::dot;
 
-/// Half-spaces a node, at most: one more where it may lie between two parts of its own sheet.
-pub const CONTACTS: usize = if CAN_CREASE { 5 } else { 4 };
+/// Half-spaces a node, at most.
+pub const CONTACTS: usize = 4;
 
 /// A half-space that a node must stay in: the points x with
 /// normal . x >= offset.

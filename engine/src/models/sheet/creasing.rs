@@ -10,6 +10,7 @@ use super::patches::Patches;
 use super::settings::{CAN_CREASE, InvalidSheet};
 use super::sweep::{Sweep, TOLERANCE};
 use super::system::System;
+use crate::creased_only::CreasedOnly;
 use crate::grid::Side;
 use core::f64::consts::PI;
 
@@ -29,12 +30,12 @@ impl Sheet {
         let material = Material::even(&self.settings).creased(lines);
         let material = material.ok_or_else(crowded)?;
         self.creased = if lines.is_empty() {
-            None
+            CreasedOnly::NONE
         } else {
             let patches = self
                 .patches(self.drawn_at(), &material, lines)
                 .ok_or_else(crowded)?;
-            Some(Box::new(Creased {
+            CreasedOnly::some(Box::new(Creased {
                 lines: lines.to_vec(),
                 hinges: Hinges::new(&self.settings, &material, lines),
                 patches: Some(patches),
@@ -72,7 +73,7 @@ impl Sheet {
         let reach = if self.is_creased() { 2 } else { 0 };
         self.system = System::new(columns, rows, first, reach);
         self.constant = System::new(columns, rows, first, reach).matrix;
-        if let (true, Some(creased)) = (CAN_CREASE, &mut self.creased) {
+        if let Some(creased) = self.creased.as_mut() {
             creased.hinges.find_places(&self.system);
         }
         self.membrane = Membrane::new(&self.settings, &material);
@@ -218,7 +219,7 @@ impl Sheet {
     /// Takes the creases' angles for those next to their rests: whole turns more look the same.
     fn expect_rests(&mut self) {
         let (positions, tangents) = (&self.positions, &self.tangents);
-        if let (true, Some(creased)) = (CAN_CREASE, &mut self.creased) {
+        if let Some(creased) = self.creased.as_mut() {
             creased.hinges.expect_rests();
             creased.hinges.settle(positions, tangents, 0.0);
         }
@@ -243,22 +244,13 @@ impl Sheet {
         turns.iter().any(|turn| turn.reach(place) > 0.0)
     }
 
-    /// What the sheet has once it is creased. Engines that crease none are built without
-    /// what follows from it.
+    /// What the sheet has once it is creased.
     pub(super) fn creased(&self) -> Option<&Creased> {
-        if CAN_CREASE {
-            self.creased.as_deref()
-        } else {
-            None
-        }
+        self.creased.as_ref().map(Box::as_ref)
     }
 
     pub(super) fn creased_mut(&mut self) -> Option<&mut Creased> {
-        if CAN_CREASE {
-            self.creased.as_deref_mut()
-        } else {
-            None
-        }
+        self.creased.as_mut().map(Box::as_mut)
     }
 
     /// What draws the sheet at values of u and v once it is creased so. None where these are too

@@ -11,6 +11,7 @@ use super::facets;
 use super::hinges::Hinges;
 use super::material::Material;
 use super::sweep::Apart;
+use crate::creased_only::CreasedOnly;
 use crate::interpolate::uniform_samples;
 
 impl Sheet {
@@ -19,11 +20,11 @@ impl Sheet {
     /// is drawn as facets, at its nodes and half-way between them.
     pub fn crumple(&mut self) {
         let (columns, rows) = (self.settings.columns, self.settings.rows);
-        self.creased = None;
+        self.creased = CreasedOnly::NONE;
         let samples = [columns, rows].map(|nodes| uniform_samples(facets::points(nodes)));
         self.draw_samples(&samples[0], &samples[1]);
         let material = Material::crumpled(&self.settings);
-        self.creased = Some(Box::new(Creased {
+        self.creased = CreasedOnly::some(Box::new(Creased {
             lines: Vec::new(),
             hinges: Hinges::new(&self.settings, &material, &[]),
             patches: None,

@@ -42,15 +42,16 @@ mod torn;
 mod torn_grid;
 mod torn_material;
 mod torn_path;
+mod touching;
 mod turned_path;
 mod turned_sheet;
 
 pub use contact::{CONTACTS, Contact};
 pub use crease::FoldLine;
-pub(crate) use settings::CAN_CREASE;
 pub use settings::{InvalidSheet, Root, SheetSettings};
 pub(crate) use sweep::Apart;
 
+use crate::creased_only::CreasedOnly;
 use crate::vector::dot;
 use bending::Bending;
 use creased::Creased;
@@ -62,6 +63,7 @@ use system::System;
 pub(crate) use tether::{Tether, Tie};
 pub use torn::TornMesh;
 pub(crate) use torn_grid::TornGrid;
+pub(crate) use touching::Touching;
 pub(crate) use turned_path::wrapped;
 
 use crate::band::Band;
@@ -98,7 +100,7 @@ pub struct Sheet {
     loads: Vec<f32>,
     material: Material,
     bending: Bending,
-    creased: Option<Box<Creased>>,
+    creased: CreasedOnly<Box<Creased>>,
     membrane: Membrane,
     sweep: Sweep,
     system: System,
@@ -156,7 +158,7 @@ impl Sheet {
             weight: vec![0.0; 3 * nodes],
             loads: vec![0.0; 3 * nodes],
             bending: Bending::new(&settings),
-            creased: None,
+            creased: CreasedOnly::NONE,
             membrane: Membrane::new(&settings, &material),
             sweep: Sweep::new(&settings, &material),
             system: System::new(columns, rows, settings.first(), 0),
@@ -507,7 +509,7 @@ impl Sheet {
             let slower = (FASTEST / dot(new, new).sqrt().max(FASTEST)).min(1.0);
             v.copy_from_slice(&new.map(|v| v * slower));
         }
-        if let (true, Some(creased)) = (CAN_CREASE, &mut self.creased) {
+        if let Some(creased) = self.creased.as_mut() {
             creased
                 .hinges
                 .settle(&self.positions, &self.tangents, self.h);
@@ -568,8 +570,8 @@ impl TurnModel for Sheet {
     fn write_surface(&mut self, surface: &mut Surface) {
         let (columns, rows) = self.interpolation.samples();
         surface.resize(columns, rows);
-        match &mut self.creased {
-            Some(creased) if CAN_CREASE => {
+        match self.creased.as_mut() {
+            Some(creased) => {
                 let points = &mut surface.positions;
                 match &mut creased.patches {
                     Some(patches) => patches.apply(&self.positions, points),

@@ -57,7 +57,7 @@ pub struct SheetSettings {
 pub(super) const CAN_SYNCHRONISE: bool = cfg!(feature = "synchronise");
 
 /// Whether sheets can be creased.
-pub(crate) const CAN_CREASE: bool = cfg!(feature = "creases");
+pub(super) const CAN_CREASE: bool = cfg!(feature = "creases");
 
 /// Whether sheets can be tied by springs that may be torn off: in the same builds as creases.
 pub(super) const CAN_TEAR: bool = CAN_CREASE;

@@ -18,6 +18,7 @@ use super::contact::{CONTACTS, Contact};
 use super::lane_nodes::LaneNodes;
 use super::material::Material;
 use super::settings::{CAN_CREASE, SheetSettings};
+use super::touching::Touching;
 use crate::lanes::Four;
 use crate::vector::{dot, sub};
 use core::ops::Range;
@@ -94,6 +95,9 @@ pub(super) struct Sweep {
     /// Nodes that are kept apart, and where they are among the nodes here.
     pub apart: Apart,
     apart_at: Vec<[usize; 2]>,
+    /// Nodes that are kept off other parts, and the same by where they are among the nodes here.
+    pub touching: Vec<Touching>,
+    touching_at: Vec<Touching>,
     /// One over a node's area, relative to an inner node's; 0 where it is held.
     mobility: Vec<f32>,
     /// Firm contacts that nodes are in or near: node, contact.
@@ -130,6 +134,8 @@ impl Sweep {
             slack: Vec::new(),
             apart: Apart::default(),
             apart_at: Vec::new(),
+            touching: Vec::new(),
+            touching_at: Vec::new(),
             mobility: of_node(0.0),
             firm: Vec::with_capacity(count),
             nodes,
@@ -194,6 +200,14 @@ impl Sweep {
             self.apart_at.clear();
             let pairs = self.apart.pairs.iter().map(|pair| self.nodes.pair(*pair));
             self.apart_at.extend(pairs);
+            self.touching_at.clear();
+            let nodes = &self.nodes;
+            let touching = self.touching.iter().map(|touching| Touching {
+                node: nodes.at(touching.node),
+                under: touching.under.map(|node| nodes.at(node)),
+                ..*touching
+            });
+            self.touching_at.extend(touching);
         }
         let mut chains = self.chains.take().unwrap_or_else(|| self.chains());
         let is_folded = self.is_folded();
@@ -256,6 +270,13 @@ impl Sweep {
                     if length_of(nodes, *pair) < self.apart.distance {
                         restore(nodes, *pair, self.apart.distance, mobility);
                     }
+                }
+                let mut deep = 0.0f32;
+                for touching in &self.touching_at {
+                    deep = deep.max(touching.restore(nodes, mobility, STRIDE));
+                }
+                if deep > LEFT {
+                    off = off.max(deep / self.cell);
                 }
             }
         }

@@ -13,6 +13,7 @@ use super::torn::{Piece, Torn, TornMesh};
 use super::torn_grid::TornGrid;
 use super::turned_sheet::settings_over;
 use super::{Sheet, SheetSettings, Tie};
+use crate::creased_only::CreasedOnly;
 use crate::interpolate::uniform_samples;
 
 impl Sheet {
@@ -66,7 +67,7 @@ impl Sheet {
             &uniform_samples(drawn.columns),
             &uniform_samples(drawn.rows),
         );
-        sheet.creased = Some(Box::new(Creased {
+        sheet.creased = CreasedOnly::some(Box::new(Creased {
             lines: Vec::new(),
             hinges: Hinges::new(&sheet.settings, &material, &[]),
             patches: Some(Patches::over(&material, drawn)),

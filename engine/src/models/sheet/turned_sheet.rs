@@ -14,6 +14,7 @@ use super::patches::Patches;
 use super::torn::Torn;
 use super::torn_grid::TornGrid;
 use super::{Sheet, SheetSettings};
+use crate::creased_only::CreasedOnly;
 use crate::vector::sub;
 
 /// By how much a weight may be below 0 of a place that counts as in a triangle: those on the rim
@@ -74,7 +75,7 @@ impl Sheet {
             values.copy_from_slice(new.as_flattened());
         }
         self.settings = settings_over(paper, grid, material.rows, tick);
-        self.creased = Some(Box::new(Creased {
+        self.creased = CreasedOnly::some(Box::new(Creased {
             lines: Vec::new(),
             hinges: Hinges::new(&self.settings, &material, &[]),
             patches: Some(Patches::over(&material, drawn)),

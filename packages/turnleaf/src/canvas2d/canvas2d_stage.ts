@@ -16,6 +16,7 @@ import type {
   PageFace,
   Place,
 } from "../stage/book_stage.ts";
+import { showsStaples } from "../stage/staples.ts";
 import { fadeBeyondSpine as fade, type Zoom, ZoomState } from "../stage/zoom.ts";
 import {
   type Layout,
@@ -27,7 +28,14 @@ import {
   sightOf,
 } from "./canvas_layout.ts";
 import { drawBoard } from "./draw_board.ts";
-import { type Brush, drawCase, drawPage, drawStack, thicknessOf } from "./draw_book.ts";
+import {
+  type Brush,
+  drawCase,
+  drawPage,
+  drawStack,
+  drawStaples,
+  thicknessOf,
+} from "./draw_book.ts";
 import { drawFlat, drawFolded } from "./draw_leaf.ts";
 import { DrawnPage } from "./drawn_page.ts";
 import { KeptDrawing } from "./kept_drawing.ts";
@@ -308,6 +316,7 @@ export class Canvas2DStage implements BookStage {
         drawPage(brush, sign, show(side), detail(side));
       } else if (isHard && lies) drawPage(brush, sign, show(inside), detail(inside));
     }
+    if (showsStaples(this.#shape, pose)) drawStaples(brush);
   }
 
   #paintMoving(brush: Brush): void {

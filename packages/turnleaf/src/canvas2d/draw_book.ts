@@ -8,6 +8,7 @@ import type { PagePicture } from "../sources/page_source.ts";
 import type { BookPose, BookShape } from "../stage/book_pose.ts";
 import type { FaceDetail } from "../stage/book_stage.ts";
 import { caseSizes } from "../stage/case_sizes.ts";
+import { stapleColour, stapleLegs, staples } from "../stage/staples.ts";
 import { lookOf } from "../themes.ts";
 import {
   type Box,
@@ -162,6 +163,22 @@ export function drawStack({ pen, shape, unit }: Brush, sign: 1 | -1, thickness: 
       ],
       box,
     );
+  }
+}
+
+/** Draws the staples in the fold: wire that is light where it faces the light, and dark beside that. */
+export function drawStaples({ pen, shape }: Brush): void {
+  const { wire } = staples;
+  for (const [from, to] of stapleLegs(shape.height)) {
+    const box: Box = [-wire / 2, from, wire / 2, to];
+    pen.fillStyle = stapleColour;
+    pen.fillRect(box[0], from, wire, to - from);
+    const round: Stops = [
+      [0, 0.2],
+      [0.4, 0.85],
+      [1, -0.6],
+    ];
+    fillBetween({ pen, shape }, [box[0], 0, box[2], 0], round, box);
   }
 }
 

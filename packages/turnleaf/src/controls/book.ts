@@ -27,6 +27,8 @@ export interface ControlledBook<Hit extends FoundPlace = FoundPlace> extends HTM
   readonly pageCount: number;
   /** Whether that is an estimate, and pages are being counted. */
   readonly estimated: boolean;
+  /** Whether it is only a guess, which is not shown. */
+  readonly guessed: boolean;
   /** The page from which the reader has jumped, until he reads on, and what turns back there. */
   readonly jumpedFrom: number | null;
   jumpBack(): void;

@@ -1,6 +1,5 @@
 /** The choice of a theme, and of what dark ones do with pages that are drawn already. */
 
-import { darkPages } from "../element/page_theme.ts";
 import { pageThemes } from "../themes.ts";
 import type { ControlledBook } from "./book.ts";
 import { radios } from "./choices.ts";
@@ -8,6 +7,7 @@ import { make } from "./make.ts";
 import type { Wording } from "./wording.ts";
 
 const themes = ["auto", ...pageThemes] as const;
+const darkPages = ["invert", "dim"] as const;
 
 /** Two rows of buttons, each one of several: by themselves radio buttons, in a menu items of it. */
 export class ThemeRow {

@@ -1,12 +1,5 @@
-/**
- * The life of the book in an element: opened, fitted to the element's size,
- * read, closed.
- */
+/** The life of the book in an element: read, shown, replaced, closed. */
 
-import { leftPage, rightPage } from "../book/spreads.ts";
-import type { ElementPlane } from "../element_plane.ts";
-import { Input } from "../input/input.ts";
-import type { Gesture } from "../input/target.ts";
 import {
   checkPages,
   giveUpContext,
@@ -17,19 +10,14 @@ import {
 import { loadPart } from "../sources/load_part.ts";
 import type { BookInput } from "../sources/open.ts";
 import type { PageList } from "../sources/page_list.ts";
-import type { NewIndex, OutlineEntry, PageSource, Typography } from "../sources/page_source.ts";
-import type { SearchHit } from "../text/searching.ts";
+import type { NewIndex, PageSource, Typography } from "../sources/page_source.ts";
 import type { Viewer, ViewerOptions } from "../viewer/viewer.ts";
-import { elementTexts, fill, languageOf } from "../words/languages.ts";
-import { allowsGesture, swipeDistanceOf } from "./attributes.ts";
-import type { BookTextOverlay, TextTarget } from "./book_text_overlay.ts";
-import type { LivePages } from "./live_pages.ts";
-import { pageTap } from "./page_tap.ts";
+import { BookElements, hasElements } from "./book_elements.ts";
+import { OpenBook, type OpenBookHooks } from "./open_book.ts";
 import type { RollView } from "./roll_view.ts";
-import { watchTransformation } from "./watch_transformation.ts";
 
 /** The callbacks between an element and the life of its book. */
-export interface LifecycleHooks {
+export interface LifecycleHooks extends OpenBookHooks {
   /** Loads what is needed before a book opens. Never rejects. */
   prepare(): Promise<void>;
   /**
@@ -40,16 +28,8 @@ export interface LifecycleHooks {
   restore(source: PageList, src: string): Promise<void>;
   /** The open book is about to close for another, which has been read. */
   replacing(): void;
-  /** How the stage is seen in the window. */
-  readonly plane: ElementPlane;
   /** How a book is shown. */
   options(source: PageList): ViewerOptions;
-  /** Turns one leaf forward (1) or back (-1), as `InputTarget` has it. */
-  readonly turn: (by: 1 | -1, isTap?: boolean) => Promise<boolean>;
-  /** Announces to screen readers the zoom level to which a key leads. */
-  readonly announceZoom: () => void;
-  /** Turns the open book to a page (from 1), and to a place so far down it, as `top` of `LinkTarget`. */
-  readonly goTo: (page: number, top?: number) => void;
   /** The open book is about to close, to be opened again where it lies. */
   leaving(): void;
   /** How the text of a book is set that is about to be read. */
@@ -58,20 +38,14 @@ export interface LifecycleHooks {
   readonly password: () => string;
   /** Asks the reader for the password of a protected file; null if there is none, or once `signal` aborts. */
   readonly askPassword: (isWrong: boolean, signal: AbortSignal) => Promise<string | null>;
-  /** Returns whether the reader prefers reduced motion. */
-  readonly calm: () => boolean;
   /** A book lies open. */
   opened(book: OpenBook): void;
   /** The open book's source is about to change its pages, by calling `change`. */
   changing(change: () => NewIndex): void;
   /** The leaves of the open book have the size of its pages, which had to be guessed until now. */
   measured(): void;
-  /** The pages of the open book, so many before, lie elsewhere: it is about to be bound anew. */
-  renumbered(moved: NewIndex, pageCount: number): void;
   /** What cannot be shown of the open book may be another list. */
   warned(): void;
-  /** An optional part of the viewer could not be loaded. */
-  readonly missingPart: (error: unknown) => void;
   /** A book could not be opened; another may still be open. */
   failed(error: unknown): void;
 }
@@ -353,339 +327,9 @@ export class BookLifecycle {
   }
 }
 
-/** Pages of a book that are elements: the code that lays them out is loaded when there is one. */
-export class BookElements {
-  readonly #element: HTMLElement;
-  readonly #stage: HTMLElement;
-  readonly #source: PageList;
-  readonly #goTo: LifecycleHooks["goTo"];
-  #live: LivePages | null = null;
-  #isEnded = false;
-  #viewer: Viewer | null = null;
-
-  constructor(
-    element: HTMLElement,
-    stage: HTMLElement,
-    source: PageList,
-    goTo: LifecycleHooks["goTo"],
-  ) {
-    this.#element = element;
-    this.#stage = stage;
-    this.#source = source;
-    this.#goTo = goTo;
-  }
-
-  /** Lays out the pages of a source that are elements: the book's own, or one to be added. */
-  async adopt(source: PageSource): Promise<void> {
-    if (!hasElements(source)) return;
-    const { LivePages } = await loadPart(import("./live_pages.ts"));
-    if (this.#isEnded) return;
-    this.#live ??= this.#lay(LivePages);
-    this.#live.adopt(source, source === this.#source);
-  }
-
-  /** Makes a change of the pages, and follows it. */
-  after(change: () => NewIndex): NewIndex {
-    const moved = change();
-    this.refresh();
-    return moved;
-  }
-
-  /** Lays out the elements that are pages now, and no others. */
-  refresh(): void {
-    this.#live?.adopt(this.#source);
-  }
-
-  /** Shows them over the pages of a viewer. */
-  follow(viewer: Viewer): void {
-    this.#viewer = viewer;
-    this.#live?.follow(viewer, this.#source);
-  }
-
-  /** Removes their places. */
-  destroy(): void {
-    this.#isEnded = true;
-    this.#live?.destroy();
-  }
-
-  #lay(Live: typeof LivePages): LivePages {
-    const source = this.#source;
-    const live = new Live(this.#element, this.#stage, {
-      name: (page) => {
-        const { pageNamed } = elementTexts(languageOf(this.#element));
-        return fill(pageNamed, { label: source.label(page - 1) });
-      },
-      pageOf: (element) => {
-        for (let index = 0; index < source.pageCount; index++) {
-          if (source.element(index) === element) return index + 1;
-        }
-        return 0;
-      },
-      goTo: this.#goTo,
-    });
-    if (this.#viewer) live.follow(this.#viewer, source);
-    return live;
-  }
-}
-
-function hasElements(source: PageSource): boolean {
-  for (let index = 0; index < source.pageCount; index++) if (source.element?.(index)) return true;
-  return false;
-}
-
 function hasRolls(source: PageSource): boolean {
   for (let index = 0; index < source.pageCount; index++) {
     if ((source.roll?.(index) ?? null) !== null) return true;
   }
   return false;
-}
-
-/** What an open book is made of. */
-interface OpenBookParts {
-  readonly canvas: HTMLCanvasElement;
-  readonly source: PageList;
-  readonly viewer: Viewer;
-  readonly elements: BookElements;
-  readonly roll: RollView | null;
-}
-
-/** A book that lies open in an element, with all that acts on it. */
-export class OpenBook {
-  readonly source: PageList;
-  readonly viewer: Viewer;
-  readonly canvas: HTMLCanvasElement;
-  readonly reading: ReadableBook;
-  readonly elements: BookElements;
-  /** Its pages that are scrolled; null if all are turned. */
-  readonly roll: RollView | null;
-  readonly #element: HTMLElement;
-  readonly #stage: HTMLElement;
-  readonly #input: Input;
-  readonly #renumbered: LifecycleHooks["renumbered"];
-  readonly #plane: ElementPlane;
-  readonly #ended = new AbortController();
-
-  constructor(
-    element: HTMLElement,
-    stage: HTMLElement,
-    { canvas, source, viewer, elements, roll }: OpenBookParts,
-    hooks: LifecycleHooks,
-  ) {
-    const { turn, announceZoom, calm, goTo, missingPart, plane } = hooks;
-    this.#renumbered = (moved, pageCount) => hooks.renumbered(moved, pageCount);
-    this.source = source;
-    this.viewer = viewer;
-    this.canvas = canvas;
-    this.elements = elements;
-    this.roll = roll;
-    elements.follow(viewer);
-    const allows = (gesture: Gesture): boolean => allowsGesture(element, gesture);
-    const swipeDistance = (): number => swipeDistanceOf(element);
-    this.#input = new Input(canvas, stage, element, {
-      ...{ viewer, plane, turn, announceZoom, calm, allows, swipeDistance },
-      columnAt: (page, at) => this.reading.columnAt(page, at),
-      tapped: () => stage.dispatchEvent(new Event(pageTap)),
-    });
-    const language = (): string => languageOf(element);
-    this.reading = new ReadableBook({ source, viewer, canvas, roll, goTo, language }, missingPart);
-    this.#element = element;
-    this.#stage = stage;
-    this.#plane = plane;
-  }
-
-  /**
-   * Changes the pages as soon as the book is at rest: at once if it is. Resolves to whether the
-   * change was made: false if the book was closed before. Rejects with what `change` throws.
-   *
-   * @param change changes the source and returns where its pages lie now
-   *
-   * @param followed called once what names pages has followed them, before the book is bound anew
-   */
-  async changePages(change: () => NewIndex, followed?: () => void): Promise<boolean> {
-    const isMade = await this.viewer.changePages(() => {
-      const { pageCount } = this.source;
-      const moved = this.elements.after(change);
-      // Changes that wait for the same rest are made one after the other, and then reported.
-      this.#renumbered(moved, pageCount);
-      followed?.();
-      return moved;
-    });
-    if (isMade) this.reading.changed();
-    return isMade;
-  }
-
-  /**
-   * Makes a change of the pages that their source asks for, as `changePages` does: the open pages
-   * keep their sides, however many are counted before them.
-   */
-  followSource(change: () => NewIndex): Promise<boolean> {
-    return this.changePages(() => {
-      this.#keepSide();
-      return change();
-    });
-  }
-
-  #keepSide(): void {
-    const { binding, turning } = this.viewer;
-    if (binding.layout !== "spread") return;
-    const sides = [leftPage(binding, turning.spread), rightPage(binding, turning.spread)];
-    const [first = null, second = null] = binding.reversed ? sides.reverse() : sides;
-    if (first !== null) this.source.keepSide(first - 1, "first");
-    else if (second !== null) this.source.keepSide(second - 1, "second");
-  }
-
-  /** Gives the leaves the size of their pages, which had to be guessed until now. */
-  async measure(): Promise<void> {
-    const { signal } = this.#ended;
-    try {
-      await this.changePages(await this.viewer.measure(signal));
-    } catch (error) {
-      if (!signal.aborted) throw error;
-    }
-  }
-
-  /**
-   * Frees everything but the source of the pages.
-   *
-   * @param keepCanvas whether another book will be drawn on its canvas
-   * @returns whether one can be
-   */
-  destroy(keepCanvas: boolean): boolean {
-    this.#ended.abort();
-    this.#input.destroy();
-    this.reading.destroy();
-    this.roll?.destroy();
-    return this.viewer.destroy(keepCanvas);
-  }
-
-  /** Makes the book as large as its stage, as sharp as the screen shows it, and keeps it so. */
-  fit(): void {
-    const { signal } = this.#ended;
-    const stage = this.#stage;
-    const view = this.#element.ownerDocument.defaultView ?? window;
-    const plane = this.#plane;
-    // As it was measured last: a change of style says nothing of it.
-    let pixels: ResizeObserverSize | undefined;
-    const resize = (): void => {
-      const { clientWidth, clientHeight } = stage;
-      if (clientWidth > 0 && clientHeight > 0) {
-        // Printed, it is as on the screen, scaled.
-        stage.style.setProperty("--screen-width", `${clientWidth}px`);
-        stage.style.setProperty("--screen-height", `${clientHeight}px`);
-        const ratio = view.devicePixelRatio;
-        // Whole pixels of the screen, so that those of the canvas are these.
-        const width = wholePixels(clientWidth * ratio, pixels?.inlineSize);
-        const height = wholePixels(clientHeight * ratio, pixels?.blockSize);
-        this.viewer.resize(width / ratio, height / ratio, ratio, rounded(plane.scale));
-      }
-    };
-    const observer = new view.ResizeObserver(([entry]) => {
-      pixels = entry?.devicePixelContentBoxSize?.[0];
-      resize();
-    });
-    try {
-      observer.observe(stage, { box: "device-pixel-content-box" });
-    } catch {
-      // Not in WebKit.
-      observer.observe(stage);
-    }
-    signal.addEventListener("abort", () => observer.disconnect(), { once: true });
-    watchRatio(view, resize, signal);
-    watchTransformation(this.#element, resize, signal);
-    resize();
-  }
-}
-
-/** Returns a scale without what lengths that are measured differ by from place to place. */
-function rounded(scale: number): number {
-  return Math.round(1000 * scale) / 1000;
-}
-
-/**
- * Returns a length in whole pixels of the screen: as it was measured, unless that is another length, as
- * where lines of text run downward, or where a browser emulates a screen.
- */
-function wholePixels(length: number, measured: number = Number.NaN): number {
-  return Math.abs(measured - length) < 1 + window.devicePixelRatio ? measured : Math.round(length);
-}
-
-/** Follows the pixel ratio of a window's screen, which changes with the zoom and from screen to screen. */
-function watchRatio(view: Window, changed: () => void, signal: AbortSignal): void {
-  const media = view.matchMedia(`(resolution: ${view.devicePixelRatio}dppx)`);
-  const again = (): void => {
-    changed();
-    watchRatio(view, changed, signal);
-  };
-  media.addEventListener("change", again, { once: true, signal });
-}
-
-/** The text and the contents of an open book. */
-export class ReadableBook {
-  readonly #under: TextTarget;
-  readonly #ended = new AbortController();
-  /** Rejects with a `BookError` if it cannot be loaded. */
-  readonly #text: Promise<BookTextOverlay>;
-  /** It, once it is loaded. */
-  #overlay: BookTextOverlay | null = null;
-
-  /** @param failed called once if there will be no text */
-  constructor(under: TextTarget, failed: (error: unknown) => void) {
-    this.#under = under;
-    const { signal } = this.#ended;
-    this.#text = loadPart(import("./book_text_overlay.ts")).then(({ BookTextOverlay }) => {
-      signal.throwIfAborted();
-      this.#overlay = new BookTextOverlay(under, signal);
-      return this.#overlay;
-    });
-    this.#text.catch((error: unknown) => signal.aborted || failed(error));
-  }
-
-  /** As the element's own. */
-  async search(
-    query: string,
-    signal?: AbortSignal,
-    found?: (hits: readonly SearchHit[]) => void,
-  ): Promise<readonly SearchHit[]> {
-    const ended = this.#ended.signal;
-    const either = signal ? AbortSignal.any([signal, ended]) : ended;
-    return (await this.#text).search(query, either, found);
-  }
-
-  /**
-   * Marks a hit and every other place of its query when they become visible;
-   * null removes the marks.
-   */
-  mark(hit: SearchHit | null): void {
-    this.#withText((text) => text.mark(hit));
-  }
-
-  /** As `BookTextOverlay` has it; null while that is not loaded. */
-  columnAt(
-    ...place: Parameters<BookTextOverlay["columnAt"]>
-  ): ReturnType<BookTextOverlay["columnAt"]> {
-    return this.#overlay?.columnAt(...place) ?? null;
-  }
-
-  /** Reads the pages again after a change of the book. */
-  changed(): void {
-    this.#withText((text) => text.changed());
-  }
-
-  /** As the element's own. */
-  async outline(): Promise<readonly OutlineEntry[]> {
-    return (await this.#under.source.outline?.(this.#ended.signal)) ?? [];
-  }
-
-  /** Removes the text and ends every search. */
-  destroy(): void {
-    this.#ended.abort();
-  }
-
-  /** Calls `act` once the text is loaded. If it cannot be loaded, `failed` has reported that. */
-  #withText(act: (text: BookTextOverlay) => void): void {
-    this.#text.then(
-      (text) => this.#ended.signal.aborted || act(text),
-      () => {},
-    );
-  }
 }

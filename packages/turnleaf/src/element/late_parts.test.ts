@@ -5,8 +5,8 @@ import type { ControlledBook } from "../controls/book.ts";
 import { ControlsLoader } from "../controls/controls_loader.ts";
 import { loadPart } from "../sources/load_part.ts";
 import { BookError } from "../sources/page_source.ts";
-import { ReadableBook } from "./book_lifecycle.ts";
 import type { TextTarget } from "./book_text_overlay.ts";
+import { ReadableBook } from "./readable_book.ts";
 
 vi.mock("../controls/controls.ts", () => {
   throw new TypeError("Failed to fetch");

@@ -3,7 +3,7 @@
 import { loadPart } from "../sources/load_part.ts";
 import type { BookInput } from "../sources/open.ts";
 import type { PageSource } from "../sources/page_source.ts";
-import type { OpenBook } from "./book_lifecycle.ts";
+import type { OpenBook } from "./open_book.ts";
 
 /** How many pages of an addition are drawn before it is inserted, and how wide, pixels. */
 const checkedPages = 8;

@@ -5,7 +5,7 @@ import type { Layout } from "../book/spreads.ts";
 import type { PageSize, PageSource } from "../sources/page_source.ts";
 import { isMiniature, mayFace, paperback, wantedWidth } from "../sources/typeset/page_measures.ts";
 import { aspectIn, layoutIn, type PageFrame } from "../stage/page_width.ts";
-import { bindingOptionsOf } from "./attributes.ts";
+import { bindingOptionsOf } from "./attribute_options.ts";
 import type { ChosenTypography } from "./typography.ts";
 
 /**

@@ -21,13 +21,13 @@ import {
 } from "../sources/page_source.ts";
 import type { SearchHit } from "../text/searching.ts";
 import { languageOf } from "../words/languages.ts";
-import { bindingOptionsOf } from "./attributes.ts";
-import type { OpenBook } from "./book_lifecycle.ts";
+import { bindingOptionsOf } from "./attribute_options.ts";
 import type { WarningDetail } from "./events.ts";
 import { failureDetail, warningDetail } from "./failure_detail.ts";
 import type { FilmRecorder, RecordOptions } from "./film_recorder.ts";
 import { cleanDogEars, cleanFolds, withDogEars } from "./fold_lists.ts";
 import { Jumps } from "./jumps.ts";
+import type { OpenBook } from "./open_book.ts";
 import { emptyLists, layoutLists, movedLists, type PageLists } from "./page_lists.ts";
 import { cleanPages } from "./page_numbers.ts";
 import type { HomePlace, PlaceKeeper } from "./place_keeper.ts";
@@ -113,6 +113,11 @@ export abstract class ReaderElement extends ReflectingElement {
   /** Whether `pageCount` is an estimate: pages of flowing text are counted while they are read. */
   get estimated(): boolean {
     return this.source?.isEstimated ?? false;
+  }
+
+  /** Whether `pageCount` is only a guess by the size of the file: true until some of the text is read and set. */
+  get guessed(): boolean {
+    return this.source?.isGuessed ?? false;
   }
 
   /** The book's title; empty until it is open. */

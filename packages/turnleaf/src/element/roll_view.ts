@@ -4,13 +4,14 @@
  * it, unseen, open at the page that is read.
  */
 
+import { attributeOf } from "../attributes.ts";
 import { forward, pageOf, spreadOf } from "../book/spreads.ts";
 import type { ElementPlane } from "../element_plane.ts";
 import { wholePage } from "../sources/limits.ts";
 import type { PageBox, PageSize, PageSource } from "../sources/page_source.ts";
 import type { PageView, Point } from "../text/page_view.ts";
 import type { Viewer } from "../viewer/viewer.ts";
-import { allowsGesture, swipeDistanceOf } from "./attributes.ts";
+import { allowsGesture } from "./attribute_options.ts";
 import { addStyle } from "./shadow_tree.ts";
 
 /** The most by which flowing text is magnified in a wide place; pages of fixed layout fill it. */
@@ -424,7 +425,7 @@ export class RollView implements PageView {
       const end = this.#plane.fromClient(clientX, clientY);
       if (!start || !end || !isOnlyOne || this.#viewer.zoomLevel > 1) return;
       const [x, y] = [end.x - start.x, end.y - start.y];
-      const isLong = Math.abs(x) >= Math.max(leastSwipe, swipeDistanceOf(this.#host));
+      const isLong = Math.abs(x) >= Math.max(leastSwipe, attributeOf(this.#host, "swipeDistance"));
       if (!isLong || Math.abs(x) < swipeSlope * Math.abs(y)) return;
       if (allowsGesture(this.#host, "drag")) this.#leave(x < 0 ? 1 : -1);
     });

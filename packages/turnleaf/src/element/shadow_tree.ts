@@ -100,7 +100,11 @@ export function openPages(source: PageSource, viewer: Viewer, tag: string): stri
   const text = [back, pageOpen][seen.length] ?? pagesOpen;
   return fill(text, {
     pages: list(tag, seen),
-    n: countOf(tag, { pageCount: source.pageCount, estimated: source.isEstimated ?? false }),
+    n: countOf(tag, {
+      pageCount: source.pageCount,
+      estimated: source.isEstimated ?? false,
+      guessed: source.isGuessed ?? false,
+    }),
   });
 }
 

@@ -69,8 +69,8 @@ describe("the place of a reader in flowing text", () => {
       const random = new Random();
       const head = (element: TurnleafBook): Promise<string | number> =>
         element.canTypeset ? headOf(element) : settled(element).then(() => element.page);
-      // Forty-five in all.
-      for (let round = 0; round < 3 * fuzz; round++) {
+      // Thirty in all: of half of the books all pages are counted first.
+      for (let round = 0; round < 2 * fuzz; round++) {
         const first = await open({ remember: "", address: "" }, pages());
         if (round % 2 === 0) await counted(first);
         await first.goTo(2 + random.below(first.pageCount - 2));

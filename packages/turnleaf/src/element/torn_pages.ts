@@ -5,7 +5,7 @@
 
 import type { ListedPages, PageList } from "../sources/page_list.ts";
 import { BookError } from "../sources/page_source.ts";
-import type { OpenBook } from "./book_lifecycle.ts";
+import type { OpenBook } from "./open_book.ts";
 import { joinedLists, listsAmong, movedLists, type PageLists } from "./page_lists.ts";
 import { cleanPages } from "./page_numbers.ts";
 

@@ -11,7 +11,7 @@ import { hookContexts } from "./webgl_contexts.ts";
  * Of the frames that nothing looks at one in so many is drawn all the same, so that a complaint of WebGL
  * about leaves in the air is heard.
  */
-const between = 10;
+const between = 30;
 
 /** The pixels of a book at rest, as it is shown to readers. */
 const sharp = Object.getOwnPropertyDescriptor(WebGLStage.prototype, "restingRatio");

@@ -97,9 +97,9 @@ export function keepWhatIsDrawn(): void {
 }
 
 /**
- * Has books drawn at half the sharpness, for the tests of a file that draw hundreds of frames and look
+ * Has books drawn at a quarter of the sharpness, for the tests of a file that draw hundreds of frames and look
  * at areas alone: software draws pixel by pixel.
  */
 export function drawRoughly(): void {
-  Object.defineProperty(globalThis, "devicePixelRatio", { value: 0.5 });
+  Object.defineProperty(globalThis, "devicePixelRatio", { value: 0.25 });
 }

@@ -12,6 +12,7 @@ export class FakeBook extends HTMLElement implements ControlledBook {
   page = 4;
   pageCount = 30;
   estimated = false;
+  guessed = false;
   jumpedFrom: number | null = null;
   bookTitle = "A Book";
   direction: "ltr" | "rtl" = "ltr";

@@ -67,22 +67,27 @@ export async function opened(
 export const settledViewer = (viewer: Viewer): Promise<void> => clock.until(() => viewer.settled);
 
 /**
- * Returns the brightness of the canvas's own pixels in a row, from a place in
- * CSS pixels to the right, 0 to 255.
+ * Returns the brightness of the canvas's own pixels in rows, from places in
+ * CSS pixels to the right, 0 to 255: all of one frame.
  */
 export async function brightness(
   { canvas, viewer }: ViewedBook,
-  place: { x: number; y: number },
-  count: number,
-): Promise<number[]> {
+  places: readonly { readonly x: number; readonly y: number }[],
+  count = 1,
+): Promise<number[][]> {
   const copy = document.createElement("canvas");
-  [copy.width, copy.height] = [count, 1];
+  [copy.width, copy.height] = [count, places.length];
   const pen = copy.getContext("2d") as CanvasRenderingContext2D;
   // Within a frame: afterwards a WebGL canvas may be empty.
   viewer.invalidate();
   await new Promise((resolve) => requestAnimationFrame(resolve));
   const scale = canvas.width / width;
-  pen.drawImage(canvas, -Math.round(place.x * scale), -Math.round(place.y * scale));
-  const { data } = pen.getImageData(0, 0, count, 1);
-  return Array.from({ length: count }, (_, k) => data[4 * k]);
+  for (const [row, place] of places.entries()) {
+    const [x, y] = [Math.round(place.x * scale), Math.round(place.y * scale)];
+    pen.drawImage(canvas, x, y, count, 1, 0, row, count, 1);
+  }
+  const { data } = pen.getImageData(0, 0, count, places.length);
+  return places.map((_, row) =>
+    Array.from({ length: count }, (_, k) => data[4 * (row * count + k)]),
+  );
 }

@@ -1,50 +1,13 @@
 /** What the components for frameworks have in common: the properties of a book, and its events. */
 
+import {
+  type Attribute,
+  type AttributeProperties,
+  attributeName,
+  attributeProperties,
+  attributes,
+} from "../attributes.ts";
 import type { TurnleafBook, TurnleafEventMap } from "../index.ts";
-
-/** The properties that are attributes too. */
-const attributeProps = [
-  "src",
-  "page",
-  "pdfWorker",
-  "engineSrc",
-  "stock",
-  "assist",
-  "pageWidth",
-  "duration",
-  "model",
-  "modelSrc",
-  "cover",
-  "font",
-  "fontSize",
-  "lineHeight",
-  "margins",
-  "textAlign",
-  "hyphens",
-  "letterSpacing",
-  "wordSpacing",
-  "darkPages",
-  "cloth",
-  "shadows",
-  "camera",
-  "tilt",
-  "margin",
-  "gestures",
-  "swipeDistance",
-  "binding",
-  "layout",
-  "offset",
-  "hardPages",
-  "stocks",
-  "controls",
-  "theme",
-  "address",
-  "remember",
-  "foldBookmarks",
-  "sound",
-  "vibrate",
-  "tearable",
-] as const;
 
 /** The others that can be set, and what they are if they are not. */
 const otherProps = {
@@ -58,8 +21,9 @@ const otherProps = {
   shifts: [],
 } as const;
 
-type AttributeProp = (typeof attributeProps)[number];
+type AttributeProp = keyof AttributeProperties | "page";
 type OtherProp = keyof typeof otherProps;
+const attributeProps: readonly AttributeProp[] = ["page", ...attributeProperties];
 
 /** The properties of a book that can be set, as those of `<turnleaf-book>`. */
 export type BookProps = Partial<Pick<TurnleafBook, AttributeProp | OtherProp>>;
@@ -71,15 +35,9 @@ export const bookProps: readonly (keyof BookProps)[] = [
 ];
 
 /** Those that are true or false. */
-export const booleanProps: readonly (keyof BookProps)[] = [
-  "assist",
-  "controls",
-  "address",
-  "remember",
-  "foldBookmarks",
-  "sound",
-  "vibrate",
-];
+export const booleanProps: readonly (keyof BookProps)[] = attributeProperties.filter(
+  (name) => typeof attributes[name].read(null) === "boolean",
+);
 
 /** The events by the property of a listener in React. */
 export const eventOf = {
@@ -103,23 +61,17 @@ export const eventOf = {
   onError: "error",
 } as const;
 
-const attributeOf = (prop: string): string =>
-  prop.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`);
-
-/** Returns the value of an attribute; undefined if there is to be none. */
-function attributeValue(prop: AttributeProp, value: unknown): string | true | undefined {
-  if (value === undefined || value === null) return undefined;
-  // The one that is on if it is missing.
-  if (prop === "assist") return value ? undefined : "off";
-  if (typeof value === "boolean") return value || undefined;
-  return String(value);
+/** Returns the value of an attribute, `true` for one without a value; null if there is to be none. */
+function attributeValue(prop: AttributeProp, value: unknown): string | true | null {
+  if (value === undefined || value === null) return null;
+  return prop === "page" ? String(value) : (attributes[prop] as Attribute<unknown>).write(value);
 }
 
 /** Returns the attributes of a book as it is first rendered, also on a server; `true` for those without a value. */
 export function attributesOf(props: BookProps): Record<string, string | true> {
   const values = attributeProps.flatMap((prop) => {
     const value = attributeValue(prop, props[prop]);
-    return value === undefined ? [] : [[attributeOf(prop), value] as const];
+    return value === null ? [] : [[attributeName(prop), value] as const];
   });
   return Object.fromEntries(values);
 }
@@ -137,8 +89,8 @@ export function applyProps(book: TurnleafBook, props: BookProps): void {
   for (const prop of attributeProps) {
     const value = attributeValue(prop, props[prop]);
     if (value === attributeValue(prop, before[prop])) continue;
-    if (value === undefined) book.removeAttribute(attributeOf(prop));
-    else book.setAttribute(attributeOf(prop), value === true ? "" : value);
+    if (value === null) book.removeAttribute(attributeName(prop));
+    else book.setAttribute(attributeName(prop), value === true ? "" : value);
   }
   for (const [prop, missing] of Object.entries(otherProps)) {
     const value = props[prop as OtherProp] ?? missing;

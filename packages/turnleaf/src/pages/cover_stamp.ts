@@ -1,11 +1,11 @@
 /** The front of a book that has no cover of its own: its title and authors, stamped into the cloth. */
 
-import type { PageSource } from "../sources/page_source.ts";
+import type { PageSource, TitleFont } from "../sources/page_source.ts";
 import { serif } from "../sources/typeset/serif.ts";
 import { wrap } from "./stand_in.ts";
 
 /** What is stamped. */
-export type StampedWords = Pick<PageSource, "title" | "titleDirection" | "authors">;
+export type StampedWords = Pick<PageSource, "title" | "titleDirection" | "titleFont" | "authors">;
 
 /** Width of the stamp, pixels: as sharp as a board is drawn. */
 const across = 1024;
@@ -13,6 +13,9 @@ const across = 1024;
 /** Foil on dark cloth, and ink on light cloth. */
 const foil = { light: "#ecd39a", dark: "#caa25c" };
 const ink = { light: "#3a2c20", dark: "#241a12" };
+
+/** The face of a book that has none of its own. */
+const usualFont: TitleFont = { style: "", family: serif };
 
 /** Lines of a title, at most; of authors, and how many of these are named. */
 const mostTitle = 6;
@@ -56,26 +59,32 @@ export function coverStamp(words: StampedWords, aspect: number, cloth: string): 
     pen.direction = words.titleDirection;
   }
   const room = width - 30 * unit;
-  const title = fitted(pen, words.title, {
+  const font = words.titleFont ?? usualFont;
+  const title = fitted(pen, words.title, font, {
     size: 9 * unit,
     least: 4.5 * unit,
     room,
     most: mostTitle,
   });
-  drawLines(pen, title, width / 2, 0.36 * height);
+  drawLines(pen, title, font, width / 2, 0.36 * height);
   const authors = [...(words.authors ?? [])].slice(0, mostAuthors).join(" · ");
   if (authors === "") return canvas;
   const end = 0.36 * height + (title.lines.length * title.size * leading) / 2;
   const rule = Math.min(end + 5 * unit, 0.7 * height);
   pen.fillRect(width / 2 - 6 * unit, rule, 12 * unit, 0.35 * unit);
-  const names = fitted(pen, authors, {
+  const names = fitted(pen, authors, font, {
     size: 4.6 * unit,
     least: 3 * unit,
     room,
     most: mostAuthors,
   });
-  drawLines(pen, names, width / 2, 0.8 * height);
+  drawLines(pen, names, font, width / 2, 0.8 * height);
   return canvas;
+}
+
+/** Returns a CSS font of a size in pixels. */
+function fontOf({ style, family }: TitleFont, size: number): string {
+  return `${style} ${size}px ${family}`;
 }
 
 /** Distance of lines as a factor of their type's size. */
@@ -90,11 +99,12 @@ interface FittedText {
 function fitted(
   pen: CanvasRenderingContext2D,
   text: string,
+  font: TitleFont,
   { size, least, room, most }: { size: number; least: number; room: number; most: number },
 ): FittedText {
   const isIn = (line: string): boolean => pen.measureText(line).width <= room;
   for (let at = size; ; at *= 0.9) {
-    pen.font = `${at}px ${serif}`;
+    pen.font = fontOf(font, at);
     const lines = wrap(text, isIn);
     if (lines.length <= most && lines.every(isIn)) return { lines, size: at };
     if (at * 0.9 < least) return { lines: [...lines.slice(0, most - 1), "…"], size: at };
@@ -104,10 +114,11 @@ function fitted(
 function drawLines(
   pen: CanvasRenderingContext2D,
   { lines, size }: FittedText,
+  font: TitleFont,
   x: number,
   middle: number,
 ): void {
-  pen.font = `${size}px ${serif}`;
+  pen.font = fontOf(font, size);
   lines.forEach((line, k) => {
     const y = middle + (k - (lines.length - 1) / 2) * size * leading;
     pen.fillText(line, x, y, pen.canvas.width * 0.72);

@@ -85,6 +85,28 @@ describe("an EPUB", () => {
     expect([source.cover, source.authors]).toEqual(["stamped", ["Herman Melville"]]);
   });
 
+  test("without a cover is stamped in the face of its own titles", async () => {
+    const file =
+      "/node_modules/@expo-google-fonts/eb-garamond/800ExtraBold/EBGaramond_800ExtraBold.ttf";
+    const garamond = new Uint8Array(await (await fetch(file)).arrayBuffer());
+    const css =
+      '@font-face { font-family: "Own Face"; src: url(f.ttf) } h1 { font: italic small-caps 800 2em "Own Face", monospace }';
+    const chapters = [`<h1>Title</h1>${prose(1)}`];
+    const before = document.fonts.size;
+    const source = await open(tinyEpub({ chapters, css, files: { "f.ttf": garamond } }), "a.epub");
+    expect(source.titleFont?.style).toBe("italic small-caps 800");
+    const { family = "" } = source.titleFont ?? {};
+    expect(family).toMatch(/^"turnleaf-title-\d+-0", monospace$/);
+    // Letters of another face are as wide as each other.
+    const pen = new OffscreenCanvas(1, 1).getContext("2d") as OffscreenCanvasRenderingContext2D;
+    pen.font = `20px ${family}`;
+    expect(pen.measureText("iiii").width).toBeLessThan(0.7 * pen.measureText("mmmm").width);
+    source.close();
+    expect(document.fonts.size).toBe(before);
+    const plain = await open(tinyEpub({ chapters }), "b.epub");
+    expect(plain.titleFont).toBeUndefined();
+  });
+
   test("has a plate of a page's proportions bleed, and a smaller picture where it stands", async () => {
     const plate = '<img src="p.svg" alt="" style="width: 100%"/>';
     const small = '<img src="p.svg" alt="" style="width: 20%"/>';

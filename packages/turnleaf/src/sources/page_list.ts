@@ -161,6 +161,10 @@ export class PageList implements PageSource {
     return this.first.isEstimated ?? false;
   }
 
+  get isGuessed(): boolean {
+    return this.first.isGuessed ?? false;
+  }
+
   get openingPage(): number | undefined {
     return this.first.openingPage;
   }
@@ -183,6 +187,10 @@ export class PageList implements PageSource {
 
   get usualLeaf(): PageSize | undefined {
     return this.first.usualLeaf;
+  }
+
+  get titleFont(): PageSource["titleFont"] {
+    return this.first.titleFont;
   }
 
   get titleDirection(): PageSource["titleDirection"] {

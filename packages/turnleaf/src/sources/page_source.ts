@@ -147,6 +147,14 @@ export function placeOf(moved: NewIndex, index: number): number {
   return 0;
 }
 
+/** A font for a canvas, but for its size. */
+export interface TitleFont {
+  /** Style, caps and weight, as CSS has them in `font` before the size. */
+  readonly style: string;
+  /** CSS font families, those of the book's own files loaded in the page. */
+  readonly family: string;
+}
+
 /** A line about a book that its owner wants to be shown, such as its licence. */
 export interface BookDetail {
   /** What it is, such as "Rights"; may be empty. */
@@ -253,6 +261,8 @@ export interface PageSource {
   readonly pageCount: number;
   /** Whether `pageCount` is an estimate until all pages are counted. The default is false. */
   readonly isEstimated?: boolean;
+  /** Whether that is only a guess by the size of the file, which readers are not shown. The default is false. */
+  readonly isGuessed?: boolean;
   /** The page (from 1) at which the book should open, if it says so. */
   readonly openingPage?: number;
   /** The edge at which the book is bound. The default is decided by `direction`. */
@@ -282,6 +292,8 @@ export interface PageSource {
    * scan of a whole book.
    */
   readonly cover?: "picture" | "stamped" | "none" | undefined;
+  /** The face of its titles, in which they are stamped on boards. The default is the one of usual text. */
+  readonly titleFont?: TitleFont | undefined;
   /** Who wrote the book, as a cover names them. The default is nobody. */
   readonly authors?: readonly string[] | undefined;
   /** Typeset pages keep paper shading to their own white; scans must not be brightened. */

@@ -14,6 +14,8 @@ export interface BookShape {
   readonly leaves: number;
   /** Boards in cloth, or nothing but leaves. */
   readonly cover: "hard" | "none";
+  /** Whether it is a set of sheets that are folded once and stapled. The default is false. */
+  readonly isStapled?: boolean;
   /** How far its boards extend beyond the pages at head, foot and fore-edge; 0 without boards. */
   readonly rim: number;
   /** Whether the spine lies across the screen and the right side below it. */

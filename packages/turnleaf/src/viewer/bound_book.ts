@@ -21,6 +21,7 @@ import type { BookPose, BookShape } from "../stage/book_pose.ts";
 import type { BookStage } from "../stage/book_stage.ts";
 import { caseSizes } from "../stage/case_sizes.ts";
 import { layoutIn, paperSize } from "../stage/page_width.ts";
+import { areStapled } from "../stage/staples.ts";
 import type { PageTheme } from "../themes.ts";
 import { CornerPeek } from "./corner_peek.ts";
 import { Drags } from "./drag.ts";
@@ -107,14 +108,17 @@ export function layOutBinding(
   const { quarterTurned, reversed } = binding;
   // The engine's book is as wide as its pages are from the spine outward.
   const aspect = quarterTurned ? 1 / book.aspect : book.aspect;
-  const leaves = paperLeaves(binding);
   const stocks = stockRuns(binding, options.stocks);
+  const held = {
+    cover: binding.hardCover ? "hard" : "none",
+    leaves: paperLeaves(binding),
+    thickness: bookThickness(binding, stocks),
+  } as const;
   const shape: BookShape = {
+    ...held,
+    isStapled: source.cover === "none" && areStapled(held),
     width: paperSize * Math.sqrt(aspect),
     height: paperSize / Math.sqrt(aspect),
-    thickness: bookThickness(binding, stocks),
-    leaves,
-    cover: binding.hardCover ? "hard" : "none",
     rim: binding.hardCover ? caseSizes.rim : 0,
     cloth,
     theme,

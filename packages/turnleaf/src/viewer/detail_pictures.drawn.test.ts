@@ -72,7 +72,7 @@ afterEach(() => {
  */
 async function edgeWidth(): Promise<number> {
   if (book === null) throw new Error("No book is open.");
-  const row = await brightness(book, { x: 0, y: height / 2 }, book.canvas.width);
+  const [row] = await brightness(book, [{ x: 0, y: height / 2 }], book.canvas.width);
   const half = (Math.min(...row) + Math.max(...row)) / 2;
   const edges = row.flatMap((value, k) => (k > 0 && row[k - 1] < half !== value < half ? [k] : []));
   const widths: number[] = [];
@@ -152,7 +152,7 @@ test("a detail stays in sight until the next is there, and goes with the zoom", 
   viewer.zoom(6, middle, { x: middle.x - 120, y: middle.y }, 0);
   await new Promise((resolve) => requestAnimationFrame(resolve));
   expect(viewer.settled).toBe(false);
-  const row = await brightness(book, { x: 20, y: middle.y }, 300);
+  const [row] = await brightness(book, [{ x: 20, y: middle.y }], 300);
   const grey = row.filter((value) => value > 70 && value < 180).length;
   expect(grey).toBeLessThan(20);
   // A movement cancels drawings for another place.

@@ -9,6 +9,7 @@ import type { BookEngine } from "../engine/book_engine.ts";
 import { engineCode } from "../engine/machine_code.ts";
 import type { Surface } from "../engine/shapes.ts";
 import { clock } from "../for_tests/clock.ts";
+import { isLong } from "../for_tests/long.ts";
 import { settledViewer } from "../for_tests/viewer_books.ts";
 import { openSource } from "../sources/open.ts";
 import type { BookPose } from "../stage/book_pose.ts";
@@ -234,13 +235,17 @@ const grips = [
   [0.7, 0.95],
 ] as const;
 
-/** Turns a leaf by command and carries others over by dragging. Returns what was measured. */
-function turnAndCarry({ place }: Shown): string {
+/**
+ * Turns a leaf by command and carries others over by dragging: of all grips, or of one, another in each
+ * place. Returns what was measured.
+ */
+function turnAndCarry({ place }: Shown, number: number): string {
   const [tall, page] = apparentSize();
   const watch = new Watch(place);
   turn(watch.look);
   const played = { ...watch.beyond };
-  const worst = grips.map(([u, v]) => carry(u, v, watch.look));
+  const taken = grips.filter((_, k) => isLong || k === number % grips.length);
+  const worst = taken.map(([u, v]) => carry(u, v, watch.look));
   const { beyond, paper, size } = watch;
   const said = (lengths: readonly number[]) => lengths.map((px) => px.toFixed(1)).join(", ");
   const [least, most] = size.map((fraction) => fraction.toFixed(3));
@@ -274,7 +279,7 @@ test.for(places)(
   "a turn neither moves the book nor leaves the picture: $name",
   async (shown, { annotate }) => {
     await opened(shown);
-    await annotate(turnAndCarry(shown));
+    await annotate(turnAndCarry(shown, places.indexOf(shown)));
   },
 );
 
@@ -282,7 +287,7 @@ test.for(places.filter(({ name }) => /16:10|right|calendar|phone/.test(name)))(
   "nor does one of the book on the flat: $name",
   async (shown, { annotate }) => {
     await opened({ ...shown, backend: "canvas2d" });
-    await annotate(turnAndCarry(shown));
+    await annotate(turnAndCarry(shown, places.indexOf(shown) + 2));
   },
 );
 

@@ -10,6 +10,7 @@ import { Side } from "../engine/phases.ts";
 import type { Paper, Surface, Vec3 } from "../engine/shapes.ts";
 import type { BookPose, BookShape } from "../stage/book_pose.ts";
 import { caseSizes, tableHeight } from "../stage/case_sizes.ts";
+import { showsStaples, thickestStapled } from "../stage/staples.ts";
 import { BoardMesh } from "./board_mesh.ts";
 import type { Framing } from "./camera.ts";
 import { placeCase, restingCase } from "./case_shape.ts";
@@ -25,6 +26,7 @@ import { shading } from "./papers.ts";
 import { PileMesh } from "./pile_mesh.ts";
 import { PileShape } from "./pile_shape.ts";
 import { HeadbandMesh, SpineMesh } from "./spine_mesh.ts";
+import { StaplesMesh } from "./staples_mesh.ts";
 
 /**
  * Smallest movement, metres, of the gutter over the spine that is followed: a
@@ -71,6 +73,7 @@ export class DrawnBook {
   readonly #back: BoardMesh;
   readonly #spine: SpineMesh;
   readonly #headbands: HeadbandMesh;
+  readonly #staples: StaplesMesh | null;
   readonly #ground: Ground;
   /** Height of the table, metres. */
   readonly #table: number;
@@ -117,6 +120,7 @@ export class DrawnBook {
     this.#back = new BoardMesh(false, width, height, backOutside, backInside);
     this.#spine = new SpineMesh(materials.spine, height, thickness);
     this.#headbands = new HeadbandMesh(materials.headband, height);
+    this.#staples = shape.isStapled ? new StaplesMesh(materials.staples, height) : null;
     this.#table = tableHeight(shape);
     this.#ground = new Ground(this.#table, 12 * Math.max(width, height), materials.pixel);
 
@@ -126,10 +130,11 @@ export class DrawnBook {
       this.group.add(block.mesh, page.mesh);
       if (this.#hard) this.group.add(fold.mesh);
     }
+    if (this.#staples) this.group.add(this.#staples.mesh);
     if (this.#hard) {
       this.group.add(this.#front.group, this.#back.group, this.#spine.mesh);
       // A thin book is stapled and has none.
-      if (thickness > 0.004) this.group.add(this.#headbands.mesh);
+      if (thickness > thickestStapled) this.group.add(this.#headbands.mesh);
     }
   }
 
@@ -146,6 +151,7 @@ export class DrawnBook {
     const pilesMoved = leftMoved || rightMoved;
     const still = !(pilesMoved || caseMoved);
     if (!still && this.#hard) this.#placeBoards();
+    if (pilesMoved) this.#placeStaples(pose);
     const flapMoved = this.#followFlap(pose.flap ?? null);
     const sheets = pose.flap ? [...pose.leaves, pose.flap] : pose.leaves;
     const casting = [...sheets, ...(pose.loose ?? [])];
@@ -240,6 +246,7 @@ export class DrawnBook {
     this.#back.dispose();
     this.#spine.dispose();
     this.#headbands.dispose();
+    this.#staples?.dispose();
     this.#ground.dispose();
     this.group.clear();
   }
@@ -342,6 +349,13 @@ export class DrawnBook {
       side.block.shape(side.pile);
     }
     return true;
+  }
+
+  #placeStaples(pose: BookPose): void {
+    if (!this.#staples) return;
+    const { mesh } = this.#staples;
+    mesh.visible = showsStaples(this.#shape, pose);
+    if (mesh.visible) this.#staples.lie([this.#left.pile, this.#right.pile], this.#shape.width);
   }
 
   #placeBoards(): void {

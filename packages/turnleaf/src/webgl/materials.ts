@@ -5,6 +5,7 @@ import type { Face } from "../book/faces.ts";
 import type { PageBox } from "../sources/page_source.ts";
 import type { BookShape } from "../stage/book_pose.ts";
 import type { LeafSide, PageFace } from "../stage/book_stage.ts";
+import { stapleColour } from "../stage/staples.ts";
 import { lookOf } from "../themes.ts";
 import type { BookGrains } from "./grains.ts";
 import { layDetail } from "./ink.ts";
@@ -26,6 +27,7 @@ export class BookMaterials {
    */
   readonly endpapers: Record<"frontInside" | "backInside", SolidMaterial>;
   readonly headband: SolidMaterial;
+  readonly staples: SolidMaterial;
   /** Size of a CSS pixel on the book, metres. */
   readonly pixel = { value: 0 };
   readonly #materials: Material[] = [];
@@ -76,6 +78,8 @@ export class BookMaterials {
     this.endpapers.backInside.setPicture(blank);
     const headband = { grain: grains.headband, grainDepth: 1, paperiness: 0, twoSided: true };
     this.headband = solid("#b9a37e", headband, bright);
+    const wire = { grain: grains.cloth, grainDepth: 0, paperiness: 0, twoSided: true };
+    this.staples = solid(stapleColour, wire, bright);
   }
 
   /** Shows a picture on a face; `blank` stands for no picture, and outside the boards null does. */

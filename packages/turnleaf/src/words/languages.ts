@@ -125,14 +125,19 @@ export function number(tag: string, n: number): string {
   return attempt(() => new Intl.NumberFormat(tag).format(n)) ?? String(n);
 }
 
-/** A book's number of pages, and whether that is an estimate. */
+/** A book's number of pages, whether that is an estimate, and whether it is less than one. */
 export interface CountedBook {
   readonly pageCount: number;
   readonly estimated: boolean;
+  readonly guessed: boolean;
 }
 
-/** Returns a book's number of pages as a language writes it, such as "about 300" while it is an estimate. */
-export function countOf(tag: string, { pageCount, estimated }: CountedBook): string {
+/**
+ * Returns a book's number of pages as a language writes it: such as "about 300" while it is an estimate,
+ * and "…" while it is only a guess.
+ */
+export function countOf(tag: string, { pageCount, estimated, guessed }: CountedBook): string {
+  if (guessed) return "…";
   const n = number(tag, pageCount);
   return estimated ? fill(elementTexts(tag).about, { n }) : n;
 }

@@ -11,8 +11,8 @@ const fixture = async (name: string): Promise<File> => {
 };
 
 /** Returns the colours in the middle of the quarters of a page, left to right and top to bottom. */
-async function quartersOf(name: string): Promise<number[][]> {
-  const source = await openSource(await fixture(name));
+async function quartersOf(image: string | File): Promise<number[][]> {
+  const source = await openSource(typeof image === "string" ? await fixture(image) : image);
   const { width, height } = await source.size(0);
   const drawn = (await source.draw(0, width, never)) as ImageBitmap;
   expect([drawn.width, drawn.height]).toEqual([width, height]);
@@ -123,6 +123,17 @@ describe("images of formats that few browsers show", () => {
       }
     },
   );
+
+  it("a list of four billion values that a TIFF does not have is not read, and its picture is", async () => {
+    const bytes = new Uint8Array(await (await fixture("rgb-raw.tif")).arrayBuffer());
+    const directory = new DataView(bytes.buffer, new DataView(bytes.buffer).getUint32(4, true));
+    // Its last entry becomes a private one.
+    const last = 2 + 12 * (directory.getUint16(0, true) - 1);
+    directory.setUint16(last, 65_000, true);
+    directory.setUint16(last + 2, 4, true);
+    directory.setUint32(last + 4, 0xffff_ffff, true);
+    expectColours(await quartersOf(new File([bytes], "list.tif")), colours, 1);
+  });
 
   it("a HEIC is rejected with what it is", async () => {
     const source = await openSource(await fixture("rgb.heic"));

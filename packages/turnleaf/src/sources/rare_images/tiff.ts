@@ -18,11 +18,43 @@ const unpacked: readonly number[] = [
   1, 2, 3, 4, 5, 6, 7, 8, 9, 32767, 32773, 32809, 32946, 34316, 34676, 34713, 34892,
 ];
 
-/** Returns the first picture of a file that is no thumbnail or mask. Throws if it is damaged or of an unknown kind. */
+/** Bytes of a directory's number of entries, of one of these, and of the place of the next directory. */
+const [countLength, entryLength, placeLength] = [2, 12, 4];
+
+/** Bytes of a value by its type; 0 of those whose lists UTIF ends where the file does. */
+const valueLength: readonly number[] = [0, 0, 0, 2, 4, 8, 0, 0, 2, 4, 8, 4, 8, 4];
+
+/**
+ * Empties the lists of directories that claim more values than the file has room for: UTIF reads as many
+ * as are claimed, which takes seconds and gigabytes. A picture that needs none of them is read.
+ */
+function emptyOverlongLists(file: DataView): void {
+  const isLittle = file.getUint8(0) === littleEndian;
+  const seen = new Set<number>();
+  for (let at = file.getUint32(4, isLittle); at > 0 && !seen.has(at); ) {
+    seen.add(at);
+    if (at + countLength > file.byteLength) return;
+    const end = at + countLength + file.getUint16(at, isLittle) * entryLength;
+    if (end > file.byteLength) return;
+    for (let entry = at + countLength; entry < end; entry += entryLength) {
+      const length = valueLength[file.getUint16(entry + 2, isLittle)] ?? 0;
+      const count = file.getUint32(entry + 4, isLittle);
+      if (count * length > file.byteLength) file.setUint32(entry + 4, 0);
+    }
+    if (end + placeLength > file.byteLength) return;
+    at = file.getUint32(end, isLittle);
+  }
+}
+
+/**
+ * Returns the first picture of a file that is no thumbnail or mask. Throws if it is damaged or of an unknown
+ * kind. The file is changed: what it claims and does not have is taken out.
+ */
 export function decodeTiff(file: ArrayBuffer, mostPixels: number): Pixels {
-  const isBig =
-    new DataView(file).getUint16(2, new Uint8Array(file)[0] === littleEndian) === bigTiff;
+  const view = new DataView(file);
+  const isBig = view.getUint16(2, view.getUint8(0) === littleEndian) === bigTiff;
   if (isBig) throw new Error("it is a BigTIFF");
+  emptyOverlongLists(view);
   const directories = UTIF.decode(file).filter((one) => one.t256 && one.t257);
   const page =
     directories.find((one) => !(value(one, subfile, 0) & smallerOrMask)) ?? directories[0];

@@ -6,13 +6,19 @@ import { type FlowBook, isAllText } from "./flow_book.ts";
 import type { FlowWarnings } from "./flow_warnings.ts";
 import { LaidChapter } from "./laid_chapter.ts";
 import { LaidSection, OverpaintedError, type SectionMap } from "./laid_section.ts";
-import { estimatePages, type LaidSample, linesIn, type SectionLengths } from "./page_estimate.ts";
+import {
+  estimatePages,
+  type LaidSample,
+  linesIn,
+  linesOnPage,
+  type SectionLengths,
+} from "./page_estimate.ts";
 import type { SectionContents } from "./section_contents.ts";
 
 /** Frames kept, so that neighbouring pages are drawn without laying out again. */
 const keptFrames = 4;
 
-/** Pieces that are laid out before the last of the first estimates: at the half, the quarters and the eighths of the text. */
+/** Pieces that are laid out before the first estimate: at the half, the quarters and the eighths of the text. */
 const samples = 7;
 
 /** Editions so far, of all books. */
@@ -33,13 +39,14 @@ export class Edition {
   #last: Promise<unknown> = Promise.resolve();
   readonly #ended = new AbortController();
   readonly #number = made++;
-  readonly #samples = new Map<number, LaidSample>();
+  readonly #samples: Map<number, LaidSample>;
   /** Whether every section has been laid out once, or cannot be. */
   isCounted = false;
 
   /**
    * @param contents,warnings of the book's sections, for all its editions
    * @param lengths of the sections, likewise
+   * @param before the edition that this one replaces, by which its pages are estimated at first
    */
   constructor(
     book: FlowBook,
@@ -47,6 +54,7 @@ export class Edition {
     warnings: FlowWarnings,
     lengths: SectionLengths,
     typography: Typography,
+    before: Edition | null = null,
   ) {
     this.#book = book;
     this.#contents = contents;
@@ -60,11 +68,31 @@ export class Edition {
       // Pages of fixed layout have a shape of their own.
       ...(!isAllText(book) && { height: 0 }),
     };
+    this.#samples = before?.samplesFor(this.typography) ?? new Map();
+  }
+
+  /** Whether every section is laid out, and none failed. */
+  get isLaid(): boolean {
+    return this.#maps.size === this.#book.sections.length;
   }
 
   /** Returns what is known of a section; undefined before it has been laid out. */
   mapOf(section: number): SectionMap | undefined {
     return this.#maps.get(section);
+  }
+
+  /** Returns what is laid out of it, as it fills pages that have room for more or fewer lines. */
+  samplesFor(typography: Typography): Map<number, LaidSample> {
+    const larger = linesOnPage(this.typography) / linesOnPage(typography);
+    const found = new Map<number, LaidSample>();
+    for (const section of this.#book.sections.keys()) {
+      const lines = this.#lengths.known(section);
+      const extent = this.#maps.get(section)?.extent;
+      const isLaid = lines !== undefined && extent !== undefined;
+      const sample = isLaid ? { lines, extent } : this.#samples.get(section);
+      if (sample) found.set(section, { ...sample, extent: larger * sample.extent });
+    }
+    return found;
   }
 
   /** Returns what identifies a page of a section, as it is set here, among all pages. */
@@ -82,18 +110,14 @@ export class Edition {
   /**
    * Lays out pieces of the text here and there, from which the numbers of pages can be estimated.
    * What cannot be laid out is left out.
-   *
-   * @param laid called after each
    */
-  async sample(laid: () => void): Promise<void> {
+  async sample(): Promise<void> {
     for (const section of this.#lengths.spread.slice(0, samples)) {
       // One that is laid out as a whole says more than a piece of it.
       if (this.#maps.has(section)) continue;
       const sample = await this.#sampleOf(section).catch(() => null);
       if (this.#ended.signal.aborted) return;
-      if (sample === null) continue;
-      this.#samples.set(section, sample);
-      laid();
+      if (sample !== null) this.#samples.set(section, sample);
     }
   }
 

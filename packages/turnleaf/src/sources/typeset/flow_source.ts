@@ -15,6 +15,7 @@ import {
   type PageSource,
   type TextPage,
   type TextRun,
+  type TitleFont,
   type Typography,
 } from "../page_source.ts";
 import { orAborted } from "../shared_tasks.ts";
@@ -26,7 +27,7 @@ import { idle } from "./idle.ts";
 import type { LaidChapter } from "./laid_chapter.ts";
 import { Narrator } from "./narrator.ts";
 import { NumberedPages } from "./numbered_pages.ts";
-import { firstRead, SectionLengths } from "./page_estimate.ts";
+import { firstRead, openingRead, SectionLengths } from "./page_estimate.ts";
 import { leafOf, mayFace, paperback } from "./page_measures.ts";
 import type { SectionPage } from "./page_numbers.ts";
 import { RunningHeads } from "./running_heads.ts";
@@ -39,6 +40,7 @@ import {
   placeOfPage,
   type TextPlace,
 } from "./text_place.ts";
+import { type LoadedTitleFont, loadTitleFont } from "./title_font.ts";
 import { ownTypography } from "./typography.ts";
 
 /** Sections about the reader's place: those of two open pages, and one beside them. */
@@ -83,14 +85,14 @@ export class FlowSource implements PageSource {
   /** Sets the book in another typography; absent if all its pages are of fixed layout. */
   readonly typeset?: (typography: Typography) => Promise<void>;
   readonly narration?: Narrator;
-  /** Resolves once the number of pages is estimated by text of the whole book, and by parts of it that are laid out. */
-  readonly estimated: Promise<void>;
   /** Absent if all pages are turned. */
   readonly roll?: (index: number) => number | null;
   readonly #book: FlowBook;
   readonly #contents: SectionContents;
   readonly #warnings: FlowWarnings;
   readonly #lengths: SectionLengths;
+  /** Resolves once the first of these are read. */
+  readonly #reading: Promise<void>;
   /** Another edition, whose pages are to replace these. */
   #next: Edition | null = null;
   readonly #pages: NumberedPages;
@@ -98,11 +100,18 @@ export class FlowSource implements PageSource {
   #counting: Promise<void>;
   #listener: ((change: () => NewIndex) => void) | null = null;
   #isDue = false;
+  /** Whether parts of the book are laid out by which its pages are estimated, and whether these are. */
+  #isSampled = false;
+  #hasEstimate = false;
+  #estimating: Promise<void> | null = null;
+  /** Pages that are being drawn. */
+  #drawing = 0;
   #onDrawing: ((index: number) => void) | null = null;
   /** The sections that were drawn last, the last one first. */
   #recent: readonly number[] = [0];
   readonly #ended: AbortController;
   readonly #heads: RunningHeads;
+  readonly #titleFont: LoadedTitleFont | null;
   /** The pages that were drawn last, which have their numbers on them. */
   readonly #drawn = new Set<number>();
 
@@ -113,9 +122,14 @@ export class FlowSource implements PageSource {
     const lengths = new SectionLengths(book.sections);
     const edition = new Edition(book, contents, warnings, lengths, typography);
     const ended = new AbortController();
-    const reading = lengths.read(ended.signal, firstRead);
+    const reading = lengths.read(ended.signal, openingRead);
+    let titleFont: LoadedTitleFont | null = null;
     try {
-      await edition.lay(0);
+      const laid = await edition.lay(0);
+      // A face that the reader chose is not the book's.
+      const isStamped = book.cover === "stamped" && typography.font === "";
+      const face = isStamped ? await laid.titleFace() : null;
+      titleFont = face && (await loadTitleFont(face));
     } catch (error) {
       // A first section among others says so on its page.
       if (book.sections.length === 1) {
@@ -125,7 +139,14 @@ export class FlowSource implements PageSource {
         throw error;
       }
     }
-    return new FlowSource(book, contents, warnings, edition, { lengths, reading, ended });
+    return new FlowSource(
+      book,
+      contents,
+      warnings,
+      edition,
+      { lengths, reading, ended },
+      titleFont,
+    );
   }
 
   private constructor(
@@ -134,6 +155,7 @@ export class FlowSource implements PageSource {
     warnings: FlowWarnings,
     edition: Edition,
     { lengths, reading, ended }: ReadLengths,
+    titleFont: LoadedTitleFont | null,
   ) {
     this.title = book.title;
     this.titleDirection = book.titleDirection ?? "auto";
@@ -142,6 +164,7 @@ export class FlowSource implements PageSource {
     if (book.layout) this.layout = book.layout;
     if (isAllText(book)) this.usualLeaf = paperback;
     this.cover = book.cover;
+    this.#titleFont = titleFont;
     this.details = book.details ?? [];
     // A name without a word about it is an author's.
     this.authors = this.details.filter(({ label }) => label === "").map(({ value }) => value);
@@ -149,6 +172,7 @@ export class FlowSource implements PageSource {
     this.#contents = contents;
     this.#warnings = warnings;
     this.#lengths = lengths;
+    this.#reading = reading;
     this.#ended = ended;
     this.#heads = new RunningHeads(book);
     this.#pages = new NumberedPages(book.sections.length, edition);
@@ -166,13 +190,25 @@ export class FlowSource implements PageSource {
         redraw: (section, pages) => this.#redraw(section, pages),
       });
     }
-    this.estimated = reading.then(() => this.#sample(edition));
-    this.estimated.then(() => lengths.read(ended.signal)).then(() => this.#correct());
     this.#counting = this.#layRest(edition);
+  }
+
+  /**
+   * Resolves once the number of pages is estimated by text of the whole book, and by parts of it that are
+   * laid out. That begins when it is first asked for, and else once the first pages are drawn: a book is
+   * read sooner than its number of pages.
+   */
+  get estimated(): Promise<void> {
+    this.#estimating ??= this.#estimate();
+    return this.#estimating;
   }
 
   get pageCount(): number {
     return this.#pages.numbers.pageCount;
+  }
+
+  get titleFont(): TitleFont | undefined {
+    return this.#titleFont ?? undefined;
   }
 
   get warnings(): readonly BookWarning[] {
@@ -196,6 +232,10 @@ export class FlowSource implements PageSource {
 
   get isEstimated(): boolean {
     return this.#pages.numbers.isEstimated;
+  }
+
+  get isGuessed(): boolean {
+    return this.isEstimated && !this.#hasEstimate;
   }
 
   async size(index: number, signal?: AbortSignal): Promise<PageSize> {
@@ -232,6 +272,22 @@ export class FlowSource implements PageSource {
     colours: PageColours | null = null,
   ): Promise<PagePicture> {
     signal.throwIfAborted();
+    this.#drawing += 1;
+    try {
+      return await this.#draw(index, width, signal, region, colours);
+    } finally {
+      this.#drawing -= 1;
+      if (this.#drawing === 0) void this.estimated;
+    }
+  }
+
+  async #draw(
+    index: number,
+    width: number,
+    signal: AbortSignal,
+    region: PageBox,
+    colours: PageColours | null,
+  ): Promise<PagePicture> {
     const { section } = this.#at(index);
     const others = this.#recent.filter((other) => other !== section);
     this.#recent = [section, ...others].slice(0, nearSections);
@@ -422,6 +478,7 @@ export class FlowSource implements PageSource {
     this.#ended.abort();
     this.#edition.close();
     this.#next?.close();
+    this.#titleFont?.close();
     this.#book.close();
   }
 
@@ -502,12 +559,21 @@ export class FlowSource implements PageSource {
   }
 
   async #typeset(typography: Typography): Promise<void> {
-    const next = new Edition(this.#book, this.#contents, this.#warnings, this.#lengths, typography);
+    const next = new Edition(
+      this.#book,
+      this.#contents,
+      this.#warnings,
+      this.#lengths,
+      typography,
+      this.#edition,
+    );
     this.#next?.close();
     this.#next = next;
     try {
-      // Where the reader is first.
-      for (const section of this.#recent) await next.lay(section);
+      // Where the reader is first. What was drawn before the last jump is not seen.
+      const [here = 0] = this.#recent;
+      const near = this.#recent.filter((section) => Math.abs(section - here) < nearSections);
+      for (const section of near) await next.lay(section);
     } catch (error) {
       if (this.#next !== next || this.#isClosed) return;
       // A section that cannot be laid out says so on its page.
@@ -537,15 +603,22 @@ export class FlowSource implements PageSource {
     this.#announce();
   }
 
-  /** Lays out parts of the book by which the rest is estimated. */
-  async #sample(edition: Edition): Promise<void> {
-    if (this.#isClosed || edition !== this.#edition) return;
-    await edition.sample(() => this.#correct());
+  /** Reads and lays out parts of the book by which the rest is estimated, announces that, and reads on. */
+  async #estimate(): Promise<void> {
+    const { signal } = this.#ended;
+    await this.#reading;
+    if (!this.#isClosed) await this.#lengths.read(signal, firstRead - openingRead);
+    if (this.#isClosed) return;
+    await this.#edition.sample();
+    this.#isSampled = true;
+    // Otherwise what is counted is about to be announced.
+    if (!this.#edition.isLaid) this.#announce();
+    void this.#lengths.read(signal).then(() => this.#correct());
   }
 
   /** Corrects an estimate of the number of pages that has turned out to be clearly wrong. */
   #correct(): void {
-    if (this.#isClosed || this.#next) return;
+    if (this.#isClosed || this.#next || !this.#isSampled) return;
     const { pageCount } = this.#pages.numbers;
     const off = Math.abs(this.#pages.estimate - pageCount);
     if (off > mostOff * pageCount) this.#announce();
@@ -560,6 +633,7 @@ export class FlowSource implements PageSource {
   /** Counts the pages anew: of another edition, or by what is known of this one. */
   #change(): NewIndex {
     this.#isDue = false;
+    this.#hasEstimate = this.#isSampled;
     this.narration?.forgetPages();
     const next = this.#next;
     if (next === null) return this.#renumbered(this.#pages.change(this.#edition));

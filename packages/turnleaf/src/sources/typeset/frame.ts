@@ -158,7 +158,7 @@ function sheetsOf(sheets: readonly string[], view: Window & typeof globalThis): 
 export const fontRule: RegExp = /@font-face \{ [^{}]*\}/g;
 
 /** Properties that move boxes after they are laid out. */
-const moving = ["transform", "translate", "rotate", "scale", "offset"];
+const moving = ["transform", "translate", "rotate", "scale", "offset-path"];
 
 /** Gives elements their own styles. */
 export function applyInlineStyles(html: HTMLElement): void {
@@ -171,6 +171,13 @@ export function applyInlineStyles(html: HTMLElement): void {
     }
     element.removeAttribute(styleAttribute);
   }
+}
+
+/** Returns whether a box is moved after it is laid out. */
+export function isMoved(element: Element): boolean {
+  const style = (element.ownerDocument.defaultView as Window).getComputedStyle(element);
+  // What a browser does not know has no value.
+  return moving.some((name) => !/^(none)?$/.test(style.getPropertyValue(name)));
 }
 
 /** Returns what is measured while no box is moved: a box that is fills no pages, nor leaves any empty. */

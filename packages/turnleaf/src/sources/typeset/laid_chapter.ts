@@ -10,6 +10,7 @@ import {
   type SpokenMark,
 } from "./laid_section.ts";
 import type { PageMargins } from "./markup.ts";
+import type { TitleFace } from "./title_font.ts";
 
 /** Pieces of a chapter that are kept in their frames: the one that is read, and those beside it. */
 const keptPieces = 3;
@@ -123,6 +124,11 @@ export class LaidChapter {
     const first = this.#pieces[index]?.first ?? 0;
     const pages = passage?.pages.map(({ page, from }) => ({ page: page + first, from }));
     return passage && pages ? { ...passage, pages } : null;
+  }
+
+  /** Returns the face of its first heading; null if the book chose none. */
+  async titleFace(): Promise<TitleFace | null> {
+    return (await this.#piece(0)).titleFace();
   }
 
   /** Marks what is read aloud, in what is drawn from now on; null removes the mark. */

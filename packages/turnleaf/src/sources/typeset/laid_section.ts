@@ -16,6 +16,7 @@ import {
   applyInlineStyles,
   drawingOf,
   fontRule,
+  isMoved,
   type LayoutFrame,
   loadedIn,
   openFrame,
@@ -29,6 +30,7 @@ import { blankIds, isNoteLink, noteText } from "./notes.ts";
 import { leafOf, measuresOf, type PageMeasures } from "./page_measures.ts";
 import { mostNanoseconds, paintingOf } from "./paint_cost.ts";
 import { type PageFlow, pageOfRect, TextMap } from "./text_map.ts";
+import { type TitleFace, titleFaceIn } from "./title_font.ts";
 import { isTypeface, typefaceRules } from "./typefaces/typefaces.ts";
 import {
   baseStyle,
@@ -124,6 +126,7 @@ export class LaidSection {
   readonly #flow: PageFlow;
   readonly #text: TextMap;
   readonly #makeMarkup: () => Markup;
+  readonly #fontRules: () => readonly string[];
   /** The section as it is drawn, with what is read aloud marked in it; made when it is first drawn. */
   #markup: Markup | null = null;
   readonly #html: HTMLElement;
@@ -137,6 +140,7 @@ export class LaidSection {
     this.map = map;
     this.#text = parts.text;
     this.#makeMarkup = parts.markup;
+    this.#fontRules = parts.fontRules;
     this.layoutSize = parts.layoutSize;
     this.#html = parts.html;
     this.#scale = map.size.width / this.layoutSize.width;
@@ -244,6 +248,11 @@ export class LaidSection {
     return { text, pages };
   }
 
+  /** Returns the face of its first heading; null if the book chose none. */
+  titleFace(): TitleFace | null {
+    return titleFaceIn(this.#html, this.#fontRules);
+  }
+
   /** Marks what is read aloud, in what is drawn from now on; null removes the mark. */
   mark(spoken: SpokenMark | null): void {
     if (spoken?.id === this.#spoken?.id) return;
@@ -297,6 +306,8 @@ interface LaidParts {
   readonly text: TextMap;
   /** Returns the section as it is now. */
   readonly markup: () => Markup;
+  /** Returns the rules of the fonts in which it is set. */
+  readonly fontRules: () => readonly string[];
   readonly html: HTMLElement;
   readonly layoutSize: PageSize;
 }
@@ -372,7 +383,7 @@ async function layIn<T>(
     ? 1
     : isSliced
       ? sliceCount(html, page)
-      : unmoved(frame, () => extentOf(html, flow, page));
+      : extentOf(frame, html, flow, page);
   const pageCount = Math.ceil(extent);
   const map = {
     pageCount,
@@ -404,6 +415,7 @@ async function layIn<T>(
     {
       text,
       markup,
+      fontRules: () => styles.flatMap((css) => css.match(fontRule) ?? []),
       html,
       layoutSize: size,
     },
@@ -423,7 +435,38 @@ function withUsedFonts(sheets: readonly string[], frame: LayoutFrame): readonly 
 }
 
 /** Returns how many pages a section fills, from how far its columns reach: more than 0. */
-function extentOf(html: HTMLElement, flow: PageFlow, page: PageMeasures): number {
+function extentOf(
+  frame: LayoutFrame,
+  html: HTMLElement,
+  flow: PageFlow,
+  page: PageMeasures,
+): number {
+  const body = html.querySelector("body") ?? html;
+  // What is moved within the body leaves the columns of that as they are, and need not be laid out without.
+  const isInPlace = ![html, body].some(isMoved) && columnsOf(body).length > 1;
+  const measure = (): number => reachOf(html, body, flow, page);
+  return isInPlace ? measure() : unmoved(frame, measure);
+}
+
+/** Returns the rectangles of a section's body: one a column, where the browser tells them. */
+function columnsOf(body: Element): readonly DOMRect[] {
+  return [...body.getClientRects()].filter(({ width, height }) => width > 0 && height > 0);
+}
+
+/** Returns what `extentOf` does, of a section in which nothing is moved that it is measured by. */
+function reachOf(html: HTMLElement, body: Element, flow: PageFlow, page: PageMeasures): number {
+  const columns = columnsOf(body);
+  const last = columns.at(-1);
+  const reached =
+    columns.length > 1 && last ? pageOfRect(flow, last) + 1 : overflowOf(html, flow, page);
+  const pages = Math.min(Math.max(reached, 1), limits.pages);
+  const height = page.height - 2 * page.ends;
+  const isFull = flow.isVertical || !last || pages < reached;
+  return isFull ? pages : pages - 1 + Math.min(Math.max(last.height / height, 0.01), 1);
+}
+
+/** Returns over how many pages all that is in a section reaches. */
+function overflowOf(html: HTMLElement, flow: PageFlow, page: PageMeasures): number {
   const sheet = html.parentElement as HTMLElement;
   // Columns in the direction of the text count as overflow.
   sheet.style.overflow = "hidden";
@@ -432,16 +475,7 @@ function extentOf(html: HTMLElement, flow: PageFlow, page: PageMeasures): number
     ? [sheet.scrollHeight, page.height]
     : [sheet.scrollWidth, page.width];
   sheet.style.overflow = "visible";
-  const body = html.querySelector("body") ?? html;
-  // One rectangle a column, where the browser tells them.
-  const columns = [...body.getClientRects()].filter((rect) => rect.width > 0 && rect.height > 0);
-  const last = columns.at(-1);
-  const reached =
-    columns.length > 1 && last ? pageOfRect(flow, last) + 1 : Math.ceil((length - 1) / step);
-  const pages = Math.min(Math.max(reached, 1), limits.pages);
-  const height = page.height - 2 * page.ends;
-  const isFull = flow.isVertical || !last || pages < reached;
-  return isFull ? pages : pages - 1 + Math.min(Math.max(last.height / height, 0.01), 1);
+  return Math.ceil((length - 1) / step);
 }
 
 /** Returns the number of slices of a section that is scrolled: each about as high as a page. */

@@ -17,6 +17,9 @@ const usualBytes = 70;
 /** How full of lines pages are, before any is laid out, likewise: the rest is between paragraphs and chapters. */
 const usualFill = 0.8;
 
+/** Sections that are read as a book opens, for a guess at its thickness: at the half and the quarters of the text. */
+export const openingRead = 3;
+
 /** Sections that are read before the first estimate: at the half, the quarters and so on to the 32nds of the text. */
 export const firstRead = 31;
 
@@ -212,7 +215,7 @@ export function estimatePages(
 }
 
 /** Returns how many lines of usual length fit on a page. */
-function linesOnPage(typography: Typography): number {
+export function linesOnPage(typography: Typography): number {
   const { width, height, sides, ends } = measuresOf(typography);
   const area = (width - 2 * sides) * (height - 2 * ends);
   const { lineHeight } = typography;

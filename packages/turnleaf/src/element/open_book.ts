@@ -1,0 +1,213 @@
+/** A book that lies open in an element. */
+
+import { attributeOf } from "../attributes.ts";
+import { leftPage, rightPage } from "../book/spreads.ts";
+import type { ElementPlane } from "../element_plane.ts";
+import { Input } from "../input/input.ts";
+import type { Gesture } from "../input/target.ts";
+import type { PageList } from "../sources/page_list.ts";
+import type { NewIndex } from "../sources/page_source.ts";
+import type { Viewer } from "../viewer/viewer.ts";
+import { languageOf } from "../words/languages.ts";
+import { allowsGesture } from "./attribute_options.ts";
+import type { BookElements, GoTo } from "./book_elements.ts";
+import { pageTap } from "./page_tap.ts";
+import { ReadableBook } from "./readable_book.ts";
+import type { RollView } from "./roll_view.ts";
+import { watchTransformation } from "./watch_transformation.ts";
+
+/** What an open book asks of its element. */
+export interface OpenBookHooks {
+  /** How the stage is seen in the window. */
+  readonly plane: ElementPlane;
+  /** Turns one leaf forward (1) or back (-1), as `InputTarget` has it. */
+  readonly turn: (by: 1 | -1, isTap?: boolean) => Promise<boolean>;
+  /** Announces to screen readers the zoom level to which a key leads. */
+  readonly announceZoom: () => void;
+  readonly goTo: GoTo;
+  /** Returns whether the reader prefers reduced motion. */
+  readonly calm: () => boolean;
+  /** The pages of the open book, so many before, lie elsewhere: it is about to be bound anew. */
+  renumbered(moved: NewIndex, pageCount: number): void;
+  /** An optional part of the viewer could not be loaded. */
+  readonly missingPart: (error: unknown) => void;
+}
+
+/** What an open book is made of. */
+interface OpenBookParts {
+  readonly canvas: HTMLCanvasElement;
+  readonly source: PageList;
+  readonly viewer: Viewer;
+  readonly elements: BookElements;
+  readonly roll: RollView | null;
+}
+
+/** A book that lies open in an element, with all that acts on it. */
+export class OpenBook {
+  readonly source: PageList;
+  readonly viewer: Viewer;
+  readonly canvas: HTMLCanvasElement;
+  readonly reading: ReadableBook;
+  readonly elements: BookElements;
+  /** Its pages that are scrolled; null if all are turned. */
+  readonly roll: RollView | null;
+  readonly #element: HTMLElement;
+  readonly #stage: HTMLElement;
+  readonly #input: Input;
+  readonly #renumbered: OpenBookHooks["renumbered"];
+  readonly #plane: ElementPlane;
+  readonly #ended = new AbortController();
+
+  constructor(
+    element: HTMLElement,
+    stage: HTMLElement,
+    { canvas, source, viewer, elements, roll }: OpenBookParts,
+    hooks: OpenBookHooks,
+  ) {
+    const { turn, announceZoom, calm, goTo, missingPart, plane } = hooks;
+    this.#renumbered = (moved, pageCount) => hooks.renumbered(moved, pageCount);
+    this.source = source;
+    this.viewer = viewer;
+    this.canvas = canvas;
+    this.elements = elements;
+    this.roll = roll;
+    elements.follow(viewer);
+    const allows = (gesture: Gesture): boolean => allowsGesture(element, gesture);
+    const swipeDistance = (): number => attributeOf(element, "swipeDistance");
+    this.#input = new Input(canvas, stage, element, {
+      ...{ viewer, plane, turn, announceZoom, calm, allows, swipeDistance },
+      columnAt: (page, at) => this.reading.columnAt(page, at),
+      tapped: () => stage.dispatchEvent(new Event(pageTap)),
+    });
+    const language = (): string => languageOf(element);
+    this.reading = new ReadableBook({ source, viewer, canvas, roll, goTo, language }, missingPart);
+    this.#element = element;
+    this.#stage = stage;
+    this.#plane = plane;
+  }
+
+  /**
+   * Changes the pages as soon as the book is at rest: at once if it is. Resolves to whether the
+   * change was made: false if the book was closed before. Rejects with what `change` throws.
+   *
+   * @param change changes the source and returns where its pages lie now
+   *
+   * @param followed called once what names pages has followed them, before the book is bound anew
+   */
+  async changePages(change: () => NewIndex, followed?: () => void): Promise<boolean> {
+    const isMade = await this.viewer.changePages(() => {
+      const { pageCount } = this.source;
+      const moved = this.elements.after(change);
+      // Changes that wait for the same rest are made one after the other, and then reported.
+      this.#renumbered(moved, pageCount);
+      followed?.();
+      return moved;
+    });
+    if (isMade) this.reading.changed();
+    return isMade;
+  }
+
+  /**
+   * Makes a change of the pages that their source asks for, as `changePages` does: the open pages
+   * keep their sides, however many are counted before them.
+   */
+  followSource(change: () => NewIndex): Promise<boolean> {
+    return this.changePages(() => {
+      this.#keepSide();
+      return change();
+    });
+  }
+
+  #keepSide(): void {
+    const { binding, turning } = this.viewer;
+    if (binding.layout !== "spread") return;
+    const sides = [leftPage(binding, turning.spread), rightPage(binding, turning.spread)];
+    const [first = null, second = null] = binding.reversed ? sides.reverse() : sides;
+    if (first !== null) this.source.keepSide(first - 1, "first");
+    else if (second !== null) this.source.keepSide(second - 1, "second");
+  }
+
+  /** Gives the leaves the size of their pages, which had to be guessed until now. */
+  async measure(): Promise<void> {
+    const { signal } = this.#ended;
+    try {
+      await this.changePages(await this.viewer.measure(signal));
+    } catch (error) {
+      if (!signal.aborted) throw error;
+    }
+  }
+
+  /**
+   * Frees everything but the source of the pages.
+   *
+   * @param keepCanvas whether another book will be drawn on its canvas
+   * @returns whether one can be
+   */
+  destroy(keepCanvas: boolean): boolean {
+    this.#ended.abort();
+    this.#input.destroy();
+    this.reading.destroy();
+    this.roll?.destroy();
+    return this.viewer.destroy(keepCanvas);
+  }
+
+  /** Makes the book as large as its stage, as sharp as the screen shows it, and keeps it so. */
+  fit(): void {
+    const { signal } = this.#ended;
+    const stage = this.#stage;
+    const view = this.#element.ownerDocument.defaultView ?? window;
+    const plane = this.#plane;
+    // As it was measured last: a change of style says nothing of it.
+    let pixels: ResizeObserverSize | undefined;
+    const resize = (): void => {
+      const { clientWidth, clientHeight } = stage;
+      if (clientWidth > 0 && clientHeight > 0) {
+        // Printed, it is as on the screen, scaled.
+        stage.style.setProperty("--screen-width", `${clientWidth}px`);
+        stage.style.setProperty("--screen-height", `${clientHeight}px`);
+        const ratio = view.devicePixelRatio;
+        // Whole pixels of the screen, so that those of the canvas are these.
+        const width = wholePixels(clientWidth * ratio, pixels?.inlineSize);
+        const height = wholePixels(clientHeight * ratio, pixels?.blockSize);
+        this.viewer.resize(width / ratio, height / ratio, ratio, rounded(plane.scale));
+      }
+    };
+    const observer = new view.ResizeObserver(([entry]) => {
+      pixels = entry?.devicePixelContentBoxSize?.[0];
+      resize();
+    });
+    try {
+      observer.observe(stage, { box: "device-pixel-content-box" });
+    } catch {
+      // Not in WebKit.
+      observer.observe(stage);
+    }
+    signal.addEventListener("abort", () => observer.disconnect(), { once: true });
+    watchRatio(view, resize, signal);
+    watchTransformation(this.#element, resize, signal);
+    resize();
+  }
+}
+
+/** Returns a scale without what lengths that are measured differ by from place to place. */
+function rounded(scale: number): number {
+  return Math.round(1000 * scale) / 1000;
+}
+
+/**
+ * Returns a length in whole pixels of the screen: as it was measured, unless that is another length, as
+ * where lines of text run downward, or where a browser emulates a screen.
+ */
+function wholePixels(length: number, measured: number = Number.NaN): number {
+  return Math.abs(measured - length) < 1 + window.devicePixelRatio ? measured : Math.round(length);
+}
+
+/** Follows the pixel ratio of a window's screen, which changes with the zoom and from screen to screen. */
+function watchRatio(view: Window, changed: () => void, signal: AbortSignal): void {
+  const media = view.matchMedia(`(resolution: ${view.devicePixelRatio}dppx)`);
+  const again = (): void => {
+    changed();
+    watchRatio(view, changed, signal);
+  };
+  media.addEventListener("change", again, { once: true, signal });
+}
