@@ -220,7 +220,7 @@ function tooLarge(path: string, name: string, most: number): BookError {
 /** Returns the error for what libarchive did not unpack, by what it says. */
 function notUnpacked(what: string, detail: string): BookError {
   const said = quoted(detail);
-  if (/support/i.test(said)) {
+  if (/support|unknown codec/i.test(said)) {
     return new BookError(
       `${what} is packed in a way that cannot be read (${said}); pack it again as ZIP (CBZ).`,
       { code: "unsupported", source: what },

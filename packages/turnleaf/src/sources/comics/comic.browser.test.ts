@@ -238,6 +238,14 @@ test("the cover stands first, images without an ending are pages, and what share
   expect(widths).toEqual([48, 36, 40, 44]);
 });
 
+test.each(["表紙.png", "Обложка.png", "Couverture.png"])(
+  "a cover named %s stands first",
+  async (name) => {
+    const source = await comic({ "1.png": await scan(40, 60), [name]: await scan(48, 60) });
+    expect((await source.size(0)).width).toBe(48);
+  },
+);
+
 test("a ComicInfo.xml in which an element has no end is read", async () => {
   const address = new URL("./fixtures/c06-unclosed.cbz", import.meta.url);
   const source = await openSource(new File([await (await fetch(address)).blob()], "c06.cbz"));

@@ -33,8 +33,9 @@ const otherName = /\.(xml|txt|nfo|html?|json|md|db|ini|url|opf|ncx|css|js|sfv|ac
 const isArchiveName = (name: string): boolean =>
   formatOfName(name)?.family === "comic" || archiveOfName(name) !== null;
 
-/** The name of a front cover, which stands before its first page in any order of names. */
-const coverName = /^(front[ _.-]?)?cover([ _.-]?(front|0{0,3}1?))?$/i;
+/** The name of a front cover, in several languages, which stands before its first page in any order of names. */
+const coverName =
+  /^((front[ _.-]?)?cover([ _.-]?(front|0{0,3}1?))?|表紙|封面|표지|обложка|couverture|portada|copertina|capa|omslag|okładka|titelbild|umschlag)$/i;
 
 /** Bytes of an image in which its size is searched for, and images that are searched at a time. */
 const headerLength = 1 << 16;
@@ -153,7 +154,7 @@ export function inOrder(names: readonly string[]): string[] {
 
 /** Returns whether a scan's own name says that it is the front cover. */
 function isNamedCover({ path }: Scan): boolean {
-  return coverName.test((path.split("/").pop() ?? "").replace(/\.[^.]*$/, ""));
+  return coverName.test((path.split("/").pop() ?? "").replace(/\.[^.]*$/, "").normalize("NFC"));
 }
 
 /** Returns scans with the front cover before all others, if ComicInfo.xml or its own name says that it is one. */
