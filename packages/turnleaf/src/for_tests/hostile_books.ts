@@ -105,6 +105,9 @@ export const hostileDrawings: Readonly<Record<string, string>> = {
   "gradients upon each other": svg(
     `<radialGradient id="g"><stop/><stop stop-opacity="0"/></radialGradient>${'<rect width="600" height="800" fill="url(#g)"/>'.repeat(5000)}`,
   ),
+  "clear shapes upon each other": svg(
+    '<rect width="600" height="800" fill="red" opacity=".5"/>'.repeat(1900),
+  ),
   "a matrix of thousands of numbers": svg(
     `<filter id="f"><feConvolveMatrix order="100" kernelMatrix="${"1 ".repeat(10_000)}"/></filter><rect width="600" height="800" filter="url(#f)"/>`,
   ),

@@ -109,8 +109,8 @@ function layersOf(element: Element, style: CSSStyleDeclaration): number {
   const backdrop = style.backdropFilter ?? "none";
   const mask = style.maskImage ?? style.mask ?? "none";
   const masks = mask === "none" || mask === "" ? 0 : layer + imagesIn(mask);
-  // What is one shape is drawn with its opacity, without a layer.
-  const isOne = element.childNodes.length === 0;
+  // A box alone is drawn with its opacity, without a layer; a shape of SVG is not.
+  const isOne = element.childNodes.length === 0 && element.namespaceURI !== svg;
   const isBlended = !isOne && (opacity !== "1" || mixBlendMode !== "normal");
   const isLayer = isBlended || clipPath !== "none";
   return (
