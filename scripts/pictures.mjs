@@ -27,10 +27,11 @@ const moving = { width: 1152, height: 720 };
 const small = { width: 600, height: 450 };
 const phone = { width: 390, height: 844 };
 
-/** A calendar with room on the table beside it. */
+/** A calendar with room on the table beside it, and some above and below. */
 const besideCalendar = {
   example: "18-tear-off.html",
   viewport: { width: 1200, height: 480 },
+  shown: { margin: 0.09 },
   page: 1,
 };
 
@@ -57,6 +58,7 @@ const pictures = {
   "tear-off": {
     example: "18-tear-off.html",
     viewport: { width: 900, height: 480 },
+    shown: { margin: 0.15 },
     page: 1,
     strip: {
       act: tearOut,

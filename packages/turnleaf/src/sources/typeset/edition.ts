@@ -1,12 +1,18 @@
 import { unknownFailure } from "../failures.ts";
-import type { Typography } from "../page_source.ts";
+import { BookError, type Typography } from "../page_source.ts";
 import { SharedTasks } from "../shared_tasks.ts";
 import { divide } from "./divide.ts";
 import { type FlowBook, isAllText } from "./flow_book.ts";
 import type { FlowWarnings } from "./flow_warnings.ts";
 import { LaidChapter } from "./laid_chapter.ts";
-import { LaidSection, type SectionMap } from "./laid_section.ts";
-import { estimatePages, type LaidSample, linesIn, type SectionLengths } from "./page_estimate.ts";
+import { LaidSection, OverpaintedError, type SectionMap } from "./laid_section.ts";
+import {
+  estimatePages,
+  type LaidSample,
+  linesIn,
+  linesOnPage,
+  type SectionLengths,
+} from "./page_estimate.ts";
 import type { SectionContents } from "./section_contents.ts";
 
 /** Frames kept, so that neighbouring pages are drawn without laying out again. */
@@ -33,13 +39,14 @@ export class Edition {
   #last: Promise<unknown> = Promise.resolve();
   readonly #ended = new AbortController();
   readonly #number = made++;
-  readonly #samples = new Map<number, LaidSample>();
+  readonly #samples: Map<number, LaidSample>;
   /** Whether every section has been laid out once, or cannot be. */
   isCounted = false;
 
   /**
    * @param contents,warnings of the book's sections, for all its editions
    * @param lengths of the sections, likewise
+   * @param before the edition that this one replaces, by which its pages are estimated at first
    */
   constructor(
     book: FlowBook,
@@ -47,6 +54,7 @@ export class Edition {
     warnings: FlowWarnings,
     lengths: SectionLengths,
     typography: Typography,
+    before: Edition | null = null,
   ) {
     this.#book = book;
     this.#contents = contents;
@@ -60,6 +68,7 @@ export class Edition {
       // Pages of fixed layout have a shape of their own.
       ...(!isAllText(book) && { height: 0 }),
     };
+    this.#samples = before?.samplesFor(this.typography) ?? new Map();
   }
 
   /** Whether every section is laid out, and none failed. */
@@ -70,6 +79,20 @@ export class Edition {
   /** Returns what is known of a section; undefined before it has been laid out. */
   mapOf(section: number): SectionMap | undefined {
     return this.#maps.get(section);
+  }
+
+  /** Returns what is laid out of it, as it fills pages that have room for more or fewer lines. */
+  samplesFor(typography: Typography): Map<number, LaidSample> {
+    const larger = linesOnPage(this.typography) / linesOnPage(typography);
+    const found = new Map<number, LaidSample>();
+    for (const section of this.#book.sections.keys()) {
+      const lines = this.#lengths.known(section);
+      const extent = this.#maps.get(section)?.extent;
+      const isLaid = lines !== undefined && extent !== undefined;
+      const sample = isLaid ? { lines, extent } : this.#samples.get(section);
+      if (sample) found.set(section, { ...sample, extent: larger * sample.extent });
+    }
+    return found;
   }
 
   /** Returns what identifies a page of a section, as it is set here, among all pages. */
@@ -158,13 +181,22 @@ export class Edition {
       return laid;
     } catch (error) {
       signal.throwIfAborted();
-      const what = `Part ${section + 1} of ${this.#book.name} cannot be laid out`;
-      const failure = unknownFailure(what, error, "get the file again", {
-        source: this.#book.name,
-      });
+      const failure = this.#failureOf(section, error);
       this.#warnings.failed(section, failure);
       throw failure;
     }
+  }
+
+  #failureOf(section: number, error: unknown): BookError {
+    const part = `Part ${section + 1} of ${this.#book.name}`;
+    const source = { source: this.#book.name };
+    if (error instanceof OverpaintedError) {
+      return new BookError(
+        `${part} takes more time or memory than a page may: too much is painted upon each other; make it simpler.`,
+        { code: "tooLarge", ...source },
+      );
+    }
+    return unknownFailure(`${part} cannot be laid out`, error, "get the file again", source);
   }
 
   /** Keeps a frame as the first to go, until it is used. */

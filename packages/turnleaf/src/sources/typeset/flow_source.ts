@@ -559,7 +559,14 @@ export class FlowSource implements PageSource {
   }
 
   async #typeset(typography: Typography): Promise<void> {
-    const next = new Edition(this.#book, this.#contents, this.#warnings, this.#lengths, typography);
+    const next = new Edition(
+      this.#book,
+      this.#contents,
+      this.#warnings,
+      this.#lengths,
+      typography,
+      this.#edition,
+    );
     this.#next?.close();
     this.#next = next;
     try {

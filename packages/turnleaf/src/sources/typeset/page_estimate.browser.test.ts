@@ -5,6 +5,7 @@ import { prose, tinyEpub } from "../epub/tiny_epub.ts";
 import { openSource } from "../open.ts";
 import type { FlowSource } from "./flow_source.ts";
 import { linesIn } from "./page_estimate.ts";
+import { ownTypography } from "./typography.ts";
 
 const never = new AbortController().signal;
 
@@ -166,6 +167,26 @@ test("the first number of pages of many kinds of books is near the last", async 
   expect(median, JSON.stringify(off)).toBeLessThan(0.05);
   expect(sorted.at(-1), JSON.stringify(off)).toBeLessThan(0.3);
 }, 60_000);
+
+test("set in another size a book is estimated by what was set of it before", async () => {
+  // Close lines, of which more fit on a page than usual ones, and a first chapter unlike the others.
+  const css = "p { line-height: 1.1; margin: 0 } .wide p { line-height: 2.2 }";
+  const first = `<div class="wide">${prose(16)}</div>`;
+  const chapters = [first, ...Array.from({ length: 11 }, () => prose(20))];
+  const source = await openSource(tinyEpub({ chapters, css }));
+  source.watchPages?.((change) => change());
+  await source.settle?.();
+  for (const size of [1.5, 0.8]) {
+    holdCounting();
+    await source.typeset?.({ ...ownTypography, size });
+    expect(source.isEstimated).toBe(true);
+    const estimate = source.pageCount;
+    countOn();
+    await source.settle?.();
+    expect(Math.abs(estimate / source.pageCount - 1)).toBeLessThan(0.1);
+  }
+  source.close();
+});
 
 test("the number of pages is estimated once the first pages are drawn", async () => {
   const chapters = Array.from({ length: 12 }, () => prose(16));

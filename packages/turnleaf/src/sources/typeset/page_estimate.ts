@@ -215,7 +215,7 @@ export function estimatePages(
 }
 
 /** Returns how many lines of usual length fit on a page. */
-function linesOnPage(typography: Typography): number {
+export function linesOnPage(typography: Typography): number {
   const { width, height, sides, ends } = measuresOf(typography);
   const area = (width - 2 * sides) * (height - 2 * ends);
   const { lineHeight } = typography;
