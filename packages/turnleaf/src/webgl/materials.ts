@@ -71,6 +71,9 @@ export class BookMaterials {
       paperiness: 0.35,
       twoSided: true,
     });
+    // Seen on edge it is so steep that its depth is known to a pixel only, and would be seen through sheets that
+    // lie over its upper end: it lies as far back as that.
+    Object.assign(this.leafEdges, { polygonOffset: true, polygonOffsetFactor: 1 });
     const fold = (): SolidMaterial =>
       solid(paper, { grain: grains.cloth, grainDepth: 0, paperiness: 1, twoSided: true });
     this.endpapers = { frontInside: fold(), backInside: fold() };
