@@ -16,6 +16,12 @@ import { requestCommands } from "./scripts/request_watch.mjs";
 /** The list of steps that Chromium, Firefox and WebKitGTK go through with the built package. */
 const engines = "packages/cli/tests/engines/*.test.ts";
 
+/** Tests of where pages come from, but for those of which modules are loaded when. */
+const sources = "packages/turnleaf/src/sources/**/!(preparing).browser.test.ts";
+
+/** Nothing is drawn by WebGL. */
+const undrawn = { setup: "browser_setup.ts", flags: ["--disable-gpu"] };
+
 /** Tests of what Chromium has behind a flag: pages that are elements, drawn while they turn. */
 const htmlInCanvas = ["packages/turnleaf/src/element/live_drawings.canvas.test.ts"];
 
@@ -31,11 +37,19 @@ const archives = ["**/*.rar", "**/*.7z", "**/*.cb7"];
  */
 const beside = { maxWorkers: 2, sequence: { groupOrder: 1 } };
 
-/** Files that run in the real Chromium of this machine, started with flags besides those of all. */
+/**
+ * Files that run in the real Chromium of this machine, started with flags besides those of all: each in a
+ * page of its own unless `sharesPage`, then one after another in a page that has the viewer's modules loaded.
+ */
 function inChromium(
   name: string,
   include: string[],
-  { setup, flags = [] }: { setup: string; flags?: string[] },
+  {
+    setup,
+    flags = [],
+    exclude = [],
+    sharesPage = false,
+  }: { setup: string; flags?: string[]; exclude?: string[]; sharesPage?: boolean },
 ): TestProjectConfiguration {
   return {
     plugins: [
@@ -88,7 +102,7 @@ function inChromium(
     test: {
       name,
       include,
-      exclude: ["**/node_modules/**", "**/dist/**"],
+      exclude: ["**/node_modules/**", "**/dist/**", ...exclude],
       // Nothing takes as long; on a machine that does eight other things as well it is a tenth of it.
       testTimeout: 120_000,
       hookTimeout: 120_000,
@@ -98,6 +112,7 @@ function inChromium(
       browser: {
         enabled: true,
         fileParallelism: false,
+        isolate: !sharesPage,
         headless: true,
         screenshotFailures: false,
         commands: {
@@ -174,10 +189,11 @@ export default defineConfig({
         { sharesProcess: true },
       ),
       inChromium("chromium", ["packages/**/*.browser.test.ts"], {
-        setup: "browser_setup.ts",
-        // Nothing is drawn by WebGL.
-        flags: ["--disable-gpu"],
+        ...undrawn,
+        exclude: [sources],
       }),
+      // Reading books leaves nothing in a page, and loading the readers takes as long as most of these files.
+      inChromium("chromium, sources", [sources], { ...undrawn, sharesPage: true }),
       inChromium("chromium, drawn", ["packages/**/*.drawn.test.ts"], {
         setup: "drawn_setup.ts",
         // Pages' pictures and what is around a book are painted without the graphics process, in which

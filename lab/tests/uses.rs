@@ -27,3 +27,17 @@ fn ordinary_uses_of_a_usual_book_are_drawn_where_the_paper_is() {
         assert!(value <= most, "{name} is {value}, beyond {most}");
     }
 }
+
+/// A few of the 300 runs of folded leaves by `lab uses --folded`: none lies through itself.
+#[test]
+fn folded_leaves_that_are_turned_lie_clear_of_themselves() {
+    let output = Command::new(env!("CARGO_BIN_EXE_lab"))
+        .args(["uses", "--folded", "--json", "--seed", "15", "--count", "4"])
+        .output()
+        .expect("lab runs");
+    let found: Value = serde_json::from_slice(&output.stdout).expect("JSON");
+    let all = &found["all"];
+    assert_eq!(all["runs"], 4);
+    assert_eq!(all["through_at_rest"], 0);
+    assert!(all["frames"].as_u64() > Some(100), "{all}");
+}

@@ -274,17 +274,7 @@ impl Creasing {
     /// Looks at leaves of a book that lies at rest, as it is drawn.
     pub fn look_at_rest(&mut self, book: &Book) {
         let page = self.page.map(|side| side as f32);
-        let mut found = measure(book, page);
-        for index in 0..book.drawn_leaves() {
-            let (Some(surface), Some(mesh)) = (book.surface(index), book.creased_mesh(index))
-            else {
-                continue;
-            };
-            let creases = book.creases(low_of(book, index));
-            found.itself = found
-                .itself
-                .max(inside_parts(surface, mesh, &creases, page[0]));
-        }
+        let found = measure_at_rest(book, page);
         self.outcome.at_rest = self.outcome.at_rest.worse(found.scaled(0.14 / page[0]));
     }
 
@@ -307,6 +297,21 @@ impl Creasing {
             *most = most.max(off);
         }
     }
+}
+
+/// Measures what a book draws that lies at rest, and whose pages have this width and height, metres:
+/// leaves in themselves by the sides of their folds too.
+pub fn measure_at_rest(book: &Book, page: [f32; 2]) -> Overlap {
+    let mut found = measure(book, page);
+    for index in 0..book.drawn_leaves() {
+        let (Some(surface), Some(mesh)) = (book.surface(index), book.creased_mesh(index)) else {
+            continue;
+        };
+        let creases = book.creases(low_of(book, index));
+        let inside = inside_parts(surface, mesh, &creases, page[0]);
+        found.itself = found.itself.max(inside);
+    }
+    found
 }
 
 /// Leaves of paper in flight.

@@ -3,7 +3,7 @@
 
 mod crease_figures;
 mod crease_table;
-mod creasing;
+pub mod creasing;
 mod facets;
 mod figures;
 mod folding;
@@ -12,7 +12,7 @@ pub mod overlap;
 mod parts;
 mod played;
 mod pointer;
-mod random;
+pub mod random;
 mod scene;
 mod tearing;
 mod triangle;

@@ -11,7 +11,7 @@ const ARCH: f32 = 0.62;
 
 /// Frames in which a hand takes a leaf over, and in which it flicks one up.
 const OVER: u32 = 48;
-const FLICK: u32 = 9;
+pub const FLICK: u32 = 9;
 
 /// Frames before a held key repeats, and until it is let go.
 const REPEATS: u32 = 30;
@@ -173,7 +173,7 @@ impl Use {
 
 /// A hand takes the leaf on the right by its edge, carries it by a part of the half turn in so many
 /// frames, and lets go. Returns whether it still holds it.
-fn carry(reader: &mut Reader, frame: u32, frames: u32, part: f32) -> bool {
+pub fn carry(reader: &mut Reader, frame: u32, frames: u32, part: f32) -> bool {
     if frame == 0 {
         reader.take(Side::Right);
         reader.grab(0, [1.0, 0.15]);

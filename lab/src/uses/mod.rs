@@ -3,6 +3,8 @@
 
 mod act;
 mod figures;
+mod folded;
+mod folded_figures;
 mod open;
 mod reader;
 mod watch;
@@ -12,6 +14,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 use serde::Serialize;
+use turnleaf_engine::Stock;
 
 use crate::options::{between, make_folder};
 use crate::table::Table;
@@ -28,12 +31,23 @@ const STRIDE: usize = 233;
 /// Longest that leaves may take to come to rest once a reader is done, frames.
 const MOST_TO_REST: u32 = 600;
 
+/// Every so many pictures it is measured how deep leaves are drawn in each other.
+const LOOKED_AT: usize = 8;
+
 /// Options of the experiment.
 #[derive(Args)]
 pub struct Options {
-    /// Play only so many of all runs, spread over uses, books, stocks and pages.
-    #[arg(long, default_value_t = RUNS, value_parser = between(1usize, RUNS))]
-    count: usize,
+    /// Play only so many of all runs, spread over uses, books, stocks and pages; with --folded so
+    /// many in place of 300.
+    #[arg(long, value_parser = between(1usize, RUNS))]
+    count: Option<usize>,
+    /// Play leaves that are folded at random as people fold them, and turned, thrown, jumped over
+    /// and folded again.
+    #[arg(long)]
+    folded: bool,
+    /// Seed of the first of these; each has the next one.
+    #[arg(long, default_value_t = 1, requires = "folded", value_parser = between(0u64, u64::MAX / 2))]
+    seed: u64,
     /// Play only what is called so: a use, a book or a stock.
     #[arg(long)]
     only: Vec<String>,
@@ -78,9 +92,17 @@ impl Run {
     }
 }
 
+/// What was found.
+#[derive(Serialize)]
+#[serde(untagged)]
+pub enum Report {
+    Uses(Uses),
+    Folded(folded::Report),
+}
+
 /// What uses did to what is drawn: all, and by what they are of.
 #[derive(Serialize)]
-pub struct Report {
+pub struct Uses {
     all: Figures,
     /// Of each use, book, stock and page.
     parts: Vec<(&'static str, Figures)>,
@@ -91,7 +113,17 @@ pub struct Report {
 /// Runs the experiment.
 pub fn run(options: &Options) -> Result<Report, String> {
     options.into.as_deref().map_or(Ok(()), make_folder)?;
-    let runs = (0..options.count).map(|k| Run::of(k * STRIDE % RUNS));
+    if options.folded {
+        let count = options.count.unwrap_or(folded::RUNS) as u64;
+        let seeds = options.seed..options.seed + count;
+        let report = folded::Report::of(seeds, &options.only, options.worst)?;
+        if let Some(folder) = &options.into {
+            report.table().write(folder, "uses_folded")?;
+        }
+        return Ok(Report::Folded(report));
+    }
+    let count = options.count.unwrap_or(RUNS);
+    let runs = (0..count).map(|k| Run::of(k * STRIDE % RUNS));
     let is_meant = |run: &Run| {
         options
             .only
@@ -112,7 +144,7 @@ pub fn run(options: &Options) -> Result<Report, String> {
     let pages = PAGES.iter().map(|(name, _)| *name);
     let parts = uses.chain(books).chain(STOCKS).chain(pages);
     let part = |name| (name, of(&|run| run.names().contains(&name)));
-    let report = Report {
+    let report = Uses {
         all: of(&|_| true),
         parts: parts
             .map(part)
@@ -123,24 +155,21 @@ pub fn run(options: &Options) -> Result<Report, String> {
     if let Some(folder) = &options.into {
         report.table().write(folder, "uses")?;
     }
-    Ok(report)
+    Ok(Report::Uses(report))
 }
 
 /// Plays one use until all lies at rest.
 fn play(run: Run, page: [f64; 2]) -> Watched {
-    let (book, leaves, first) = open::open(run.folded, run.stock, page);
-    let mut reader = Reader::new((book, leaves), page.map(|side| side as f32));
+    let stock = Stock::named(run.stock).expect("it is a preset");
+    let folds = run.folded.folds(&stock, page);
+    let (book, leaves, first) = open::open(&folds, stock, page);
+    let mut reader = Reader::new((book, leaves), page.map(|side| side as f32), LOOKED_AT);
     let mut frame = 0;
     while run.what.act(&mut reader, first, frame) {
         reader.frame();
         frame += 1;
     }
-    for _ in 0..MOST_TO_REST {
-        if !reader.moves() {
-            break;
-        }
-        reader.frame();
-    }
+    reader.come_to_rest(MOST_TO_REST);
     reader.into_watched()
 }
 
@@ -158,7 +187,7 @@ fn worst(played: &[(Run, Watched)], count: usize) -> Vec<(String, f32)> {
     all
 }
 
-impl Report {
+impl Uses {
     fn table(&self) -> Table {
         let mut table = Table::new(&Figures::HEADINGS);
         for (name, figures) in [("all", &self.all)]
@@ -172,6 +201,15 @@ impl Report {
 }
 
 impl Display for Report {
+    fn fmt(&self, out: &mut Formatter) -> fmt::Result {
+        match self {
+            Report::Uses(uses) => uses.fmt(out),
+            Report::Folded(folded) => folded.fmt(out),
+        }
+    }
+}
+
+impl Display for Uses {
     fn fmt(&self, out: &mut Formatter) -> fmt::Result {
         self.table().fmt(out)?;
         for (name, part) in &self.worst {

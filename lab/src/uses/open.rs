@@ -52,6 +52,15 @@ impl Folded {
         }
     }
 
+    /// Folds of the two leaves that lie open, left and right, onto the pages that are seen.
+    pub fn folds(self, stock: &Stock, page: [f64; 2]) -> [Vec<FoldLine>; 2] {
+        [-1.0, 1.0].map(|sign| {
+            let rest = sign * PRESSED.to_radians();
+            let fold = |through| FoldLine::pressed(through, rest, stock, page[0]);
+            self.line(page).map(fold).into_iter().collect()
+        })
+    }
+
     /// Where its fold runs, by u and v.
     fn line(self, [width, height]: [f64; 2]) -> Option<[[f64; 2]; 2]> {
         match self {
@@ -62,10 +71,9 @@ impl Folded {
     }
 }
 
-/// Opens a book at its first quarter. Returns it, how many leaves it has, and how many of them are on
-/// the left.
-pub fn open(folded: Folded, stock: &str, page: [f64; 2]) -> (Book, u32, u32) {
-    let stock = Stock::named(stock).expect("it is a preset");
+/// Opens a book at its first quarter, whose two leaves that lie open, left and right, are folded.
+/// Returns it, how many leaves it has, and how many of them are on the left.
+pub fn open(folds: &[Vec<FoldLine>; 2], stock: Stock, page: [f64; 2]) -> (Book, u32, u32) {
     let leaves = LEAVES.min((THICKEST / stock.caliper) as u32);
     let thickness = stock.caliper * f64::from(leaves);
     let mut book = Book::new(page[0], page[1], leaves, thickness).expect("these are a book's");
@@ -76,13 +84,9 @@ pub fn open(folded: Folded, stock: &str, page: [f64; 2]) -> (Book, u32, u32) {
     };
     assert!(book.set_paper(&paper), "these are a paper's figures");
     let first = leaves / 4;
-    if let Some(through) = folded.line(page) {
-        // Onto the pages that are seen.
-        for (leaf, sign) in [(first - 1, -1.0), (first, 1.0)] {
-            let rest = sign * PRESSED.to_radians();
-            let line = FoldLine::pressed(through, rest, &stock, page[0]);
-            assert!(book.crease(leaf, &[line]), "the leaf is large enough");
-        }
+    for (leaf, folds) in [first - 1, first].into_iter().zip(folds) {
+        let is_folded = folds.is_empty() || book.crease(leaf, folds);
+        assert!(is_folded, "the leaf is large enough");
     }
     book.lay(first);
     for _ in 0..MOST_TO_OPEN {

@@ -2,10 +2,11 @@
 //! `turning.ts`, frame after frame.
 
 use cpu_time::ThreadTime;
-use turnleaf_engine::Side;
 use turnleaf_engine::book::{Book, TICK};
+use turnleaf_engine::{FoldLine, Side};
 
 use super::watch::{Frame, Watch, Watched};
+use crate::gestures::creasing::measure_at_rest;
 
 /// The viewer's: most leaves in flight, most of a held key's turns that wait, length of a turn,
 /// least time between two leaves, seconds; leaves that a jump turns one by one, and leaves that fly
@@ -17,8 +18,9 @@ const APART: f32 = 0.09 * SECONDS;
 const MOST_SINGLE: u32 = 12;
 const RIFFLED: u32 = 9;
 
-/// Ticks of a frame.
+/// Ticks of a frame, and those in which the viewer folds a leaf.
 const TICKS: u32 = 2;
+const FOLDING: u32 = 60;
 
 /// A leaf in flight.
 struct Flight {
@@ -26,6 +28,13 @@ struct Flight {
     low: u32,
     high: u32,
     to: Side,
+}
+
+/// A leaf that is being folded: where its folds will rest, radians, and the ticks since it was begun.
+struct Folding {
+    leaf: u32,
+    rests: Vec<f32>,
+    ticks: u32,
 }
 
 /// A reader.
@@ -44,12 +53,15 @@ pub struct Reader {
     held: [Option<u32>; 2],
     /// The flight that was taken or caught last.
     taken: Option<u32>,
+    /// A leaf that is being folded before the reader's eyes.
+    folding: Option<Folding>,
     watch: Watch,
 }
 
 impl Reader {
-    /// One who begins to read an open book whose pages have this width and height, metres.
-    pub fn new((book, leaves): (Book, u32), page: [f32; 2]) -> Reader {
+    /// One who begins to read an open book whose pages have this width and height, metres. Every so
+    /// many pictures it is measured how deep leaves are drawn in each other.
+    pub fn new((book, leaves): (Book, u32), page: [f32; 2], looked_at: usize) -> Reader {
         Reader {
             book,
             leaves,
@@ -59,7 +71,8 @@ impl Reader {
             since: f32::INFINITY,
             held: [None; 2],
             taken: None,
-            watch: Watch::default(),
+            folding: None,
+            watch: Watch::new(looked_at),
         }
     }
 
@@ -77,6 +90,53 @@ impl Reader {
     /// Whether anything is to be stepped.
     pub fn moves(&self) -> bool {
         !self.flights.is_empty() || !self.plan.is_empty()
+    }
+
+    /// Looks on until all lies at rest, for so many frames at most.
+    pub fn come_to_rest(&mut self, most: u32) {
+        for _ in 0..most {
+            if !self.moves() {
+                break;
+            }
+            self.frame();
+        }
+    }
+
+    /// How deep what lies at rest is drawn in itself, metres.
+    pub fn in_itself_at_rest(&self) -> f32 {
+        measure_at_rest(&self.book, self.page).itself
+    }
+
+    /// Picks up the leaf on the right and folds it along lines, in place of its folds.
+    pub fn fold(&mut self, lines: &[FoldLine]) {
+        let leaf = self.right_end();
+        self.take(Side::Right);
+        let flat: Vec<FoldLine> = { lines.iter() }
+            .map(|line| FoldLine { rest: 0.0, ..*line })
+            .collect();
+        if self.taken.is_some() && self.book.crease(leaf, &flat) {
+            self.folding = Some(Folding {
+                leaf,
+                rests: lines.iter().map(|line| line.rest as f32).collect(),
+                ticks: 0,
+            });
+        }
+    }
+
+    /// Presses what is being folded by a tick.
+    fn press_folds(&mut self) {
+        let Some(folding) = &mut self.folding else {
+            return;
+        };
+        folding.ticks += 1;
+        let part = folding.ticks as f32 / FOLDING as f32;
+        let eased = part * part * (3.0 - 2.0 * part);
+        for (crease, rest) in folding.rests.iter().enumerate() {
+            self.book.press(folding.leaf, crease, eased * rest);
+        }
+        if folding.ticks >= FOLDING {
+            self.folding = None;
+        }
     }
 
     /// What was seen.
@@ -185,6 +245,7 @@ impl Reader {
         self.book.begin_frame();
         for _ in 0..TICKS {
             self.pick_up_next();
+            self.press_folds();
             let start = ThreadTime::now();
             let stepped = self.book.step_frame(1);
             frame.seconds += start.elapsed().as_secs_f64();

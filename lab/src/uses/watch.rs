@@ -19,9 +19,6 @@ const STILL: f32 = 0.1;
 const STRETCHED: f32 = 0.2;
 const LEAST_EDGE: f32 = 1e-3;
 
-/// Every so many pictures it is measured how deep leaves are drawn in each other.
-const LOOKED_AT: usize = 8;
-
 /// What a frame took: seconds of CPU, and nanoseconds as counted.
 #[derive(Default)]
 pub struct Frame {
@@ -42,6 +39,8 @@ pub struct Watched {
     pub stretched: usize,
     /// How deep leaves are drawn in something.
     pub depth: f32,
+    /// How deep one is drawn in itself.
+    pub itself: f32,
     /// Most seconds of CPU of a frame, and most of its work as counted, nanoseconds.
     pub seconds: f64,
     pub work: u32,
@@ -56,13 +55,23 @@ struct Before {
 }
 
 /// Watches a book.
-#[derive(Default)]
 pub struct Watch {
+    /// Every so many pictures it is measured how deep leaves are drawn in each other.
+    looked_at: usize,
     before: HashMap<u32, Before>,
     pub watched: Watched,
 }
 
 impl Watch {
+    /// Begins to watch; every so many pictures it is measured how deep leaves are drawn in each other.
+    pub fn new(looked_at: usize) -> Watch {
+        Watch {
+            looked_at,
+            before: HashMap::new(),
+            watched: Watched::default(),
+        }
+    }
+
     /// Looks at a book whose pages have this width and height, metres, after a frame.
     pub fn look(&mut self, book: &Book, page: [f32; 2], frame: Frame) {
         let watched = &mut self.watched;
@@ -75,9 +84,10 @@ impl Watch {
         watched.behind += usize::from(lag > BEHIND);
         watched.farthest = watched.farthest.max(lag);
         watched.stretched += usize::from(leaves().any(|index| is_stretched(book, index, page)));
-        if watched.frames.is_multiple_of(LOOKED_AT) {
-            let depth = overlap::measure(book, page).deepest();
-            watched.depth = watched.depth.max(depth);
+        if watched.frames.is_multiple_of(self.looked_at) {
+            let overlap = overlap::measure(book, page);
+            watched.depth = watched.depth.max(overlap.deepest());
+            watched.itself = watched.itself.max(overlap.itself);
         }
         let mut before = std::mem::take(&mut self.before);
         for index in leaves() {

@@ -4,12 +4,19 @@ import { afterEach, beforeEach, expect, test } from "vitest";
 import "../index.ts";
 import type { TurnleafBook } from "../element.ts";
 import { clock } from "../for_tests/clock.ts";
-import { book, happens, keepWhatIsDrawn, settled } from "../for_tests/element_books.ts";
+import {
+  book,
+  drawRoughly,
+  happens,
+  keepWhatIsDrawn,
+  settled,
+} from "../for_tests/element_books.ts";
 import { TestPointer } from "../for_tests/test_pointer.ts";
 
 const isThere = "drawElementImage" in CanvasRenderingContext2D.prototype;
 
 keepWhatIsDrawn();
+drawRoughly();
 
 beforeEach(({ skip }) => skip(!isThere, "This Chromium draws no elements on canvases."));
 

@@ -3,10 +3,17 @@
 import { afterEach, expect, test } from "vitest";
 import type { TurnleafBook } from "../element.ts";
 import { clock } from "../for_tests/clock.ts";
-import { book, happens, keepWhatIsDrawn, settled } from "../for_tests/element_books.ts";
+import {
+  book,
+  drawRoughly,
+  happens,
+  keepWhatIsDrawn,
+  settled,
+} from "../for_tests/element_books.ts";
 import { TestPointer } from "../for_tests/test_pointer.ts";
 
 keepWhatIsDrawn();
+drawRoughly();
 
 afterEach(() => document.body.replaceChildren());
 

@@ -1,6 +1,6 @@
 /** Before every file of browser tests: the clock is the tests' own, and nothing is drawn. */
 
-import { afterEach } from "vitest";
+import { afterAll, afterEach } from "vitest";
 import { clock, installClock } from "./clock.ts";
 import { drawNothing } from "./undrawn.ts";
 import { countWork } from "./work.ts";
@@ -10,6 +10,10 @@ installClock();
 drawNothing(() => void leaveLightOut());
 countWork();
 afterEach(() => clock.run());
+// The next file may share the page: books that were not closed have frames in it.
+afterAll(() => {
+  for (const frame of document.querySelectorAll("iframe")) frame.remove();
+});
 
 /** Has books compute no light, which takes as long as all else of a frame, and which nothing shows. */
 async function leaveLightOut(): Promise<void> {

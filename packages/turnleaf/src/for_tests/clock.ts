@@ -189,8 +189,9 @@ export const clock: TestClock = {
 /** Gives the window's own back, in a file that tests what the browser does by the machine's clock. */
 export let removeClock: () => void = () => {};
 
-/** Takes the window's animation frames, timers and times over. */
+/** Takes the window's animation frames, timers and times over, if it has not done so in this page. */
 export function installClock(): void {
+  if (isInstalled) return;
   const { requestAnimationFrame, cancelAnimationFrame, setTimeout, clearTimeout } = window;
   const time = Object.getOwnPropertyDescriptor(Event.prototype, "timeStamp") as PropertyDescriptor;
   isInstalled = true;

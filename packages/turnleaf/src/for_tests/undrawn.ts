@@ -27,13 +27,16 @@ const parameters: Readonly<Record<string, unknown>> = {
 };
 
 const contexts = new WeakMap<HTMLCanvasElement, Context>();
+let isInstalled = false;
 
 /**
- * Gives every canvas whose WebGL 2 context is requested from now on one that draws nothing.
+ * Gives every canvas of this page whose WebGL 2 context is requested from now on one that draws nothing.
  *
  * @param onFirst called as the first is requested
  */
 export function drawNothing(onFirst: () => void = () => {}): void {
+  if (isInstalled) return;
+  isInstalled = true;
   let isFirst = true;
   hookContexts((canvas, options) => {
     if (isFirst) onFirst();

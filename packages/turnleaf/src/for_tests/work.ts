@@ -20,25 +20,29 @@ declare module "vitest" {
   }
 }
 
+const work: { -readonly [Count in keyof Work]: number } = { frames: 0, ticks: 0, books: 0 };
+let isCounting = false;
+
 /** Counts the work of a file from now on, and reports it after each test. */
 export function countWork(): void {
-  let frames = 0;
-  let ticks = 0;
+  Object.assign(work, { frames: 0, ticks: 0, books: 0 });
+  afterEach(({ task }) => {
+    task.file.meta.work = { ...work };
+  });
+  // Files may share a page.
+  if (isCounting) return;
+  isCounting = true;
   const { count } = TickCounter.prototype;
   TickCounter.prototype.count = function (now) {
     const passed = count.call(this, now);
-    frames++;
-    ticks += passed;
+    work.frames++;
+    work.ticks += passed;
     return passed;
   };
-  let books = 0;
   const known = new WeakSet<HTMLCanvasElement>();
   hookContexts((canvas, options, next) => {
-    if (!known.has(canvas)) books++;
+    if (!known.has(canvas)) work.books++;
     known.add(canvas);
     return next(options);
-  });
-  afterEach(({ task }) => {
-    task.file.meta.work = { frames, ticks, books };
   });
 }

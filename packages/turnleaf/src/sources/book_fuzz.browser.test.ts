@@ -188,7 +188,7 @@ const epubTexts: Readonly<Record<string, string>> = {
   "OEBPS/x.bin": "other",
 };
 
-fuzzed("a mutated EPUB is read or rejected", 20, async (random) => {
+fuzzed("a mutated EPUB is read or rejected", 10, async (random) => {
   const name = random.among(Object.keys(epubTexts));
   const text = random.mutate(epubTexts[name] as string, wildMarkup);
   // Without a navigation document the NCX is read.
@@ -203,7 +203,7 @@ fuzzed("an EPUB with mutated bytes is read or rejected", 15, async (random) => {
   await expectReadOrRejected(new Blob([bytes]), [...bytes].join());
 });
 
-fuzzed("a mutated comic is read or rejected", 30, async (random) => {
+fuzzed("a mutated comic is read or rejected", 20, async (random) => {
   const info = random.mutate(
     '<?xml version="1.0"?><ComicInfo><Title>Dawn</Title><Series>Hero</Series><Number>1</Number><LanguageISO>ja</LanguageISO><Manga>YesAndRightToLeft</Manga><Pages><Page Image="0" Bookmark="Cover"/><Page Image="1" DoublePage="true" Type="Deleted"/></Pages></ComicInfo>',
     wildMarkup,
@@ -219,7 +219,7 @@ fuzzed("a mutated comic is read or rejected", 30, async (random) => {
   await expectReadOrRejected(new File([bytes], "a.cbz"), { info, bytes: [...bytes].join() });
 });
 
-fuzzed("a mutated comic of RAR or 7-Zip is read or rejected", 30, async (random) => {
+fuzzed("a mutated comic of RAR or 7-Zip is read or rejected", 15, async (random) => {
   const image = await png();
   const pack = random.among([rar4, rar5, sevenZip]);
   const whole = pack({
@@ -232,7 +232,7 @@ fuzzed("a mutated comic of RAR or 7-Zip is read or rejected", 30, async (random)
   await expectReadOrRejected(new File([bytes], "a.cbr"), [...bytes].join());
 });
 
-fuzzed("a mutated MOBI or KF8 is read or rejected", 30, async (random) => {
+fuzzed("a mutated MOBI or KF8 is read or rejected", 15, async (random) => {
   const contents = [
     { title: "One", at: 0 },
     { title: "Two", at: 1, parent: 0 },
@@ -252,7 +252,7 @@ fuzzed("a mutated MOBI or KF8 is read or rejected", 30, async (random) => {
   await expectReadOrRejected(new Blob([bytes]), [...bytes].join());
 });
 
-fuzzed("a mutated FictionBook is read or rejected", 20, async (random) => {
+fuzzed("a mutated FictionBook is read or rejected", 10, async (random) => {
   const whole = tinyFb2(
     '<title><p>A</p></title><section id="a"><title><p>One</p></title><p>Call <a l:href="#n" type="note">1</a> <image l:href="#p"/></p><poem><stanza><v>b</v></stanza></poem></section>',
     '<body name="notes"><section id="n"><p>Note</p></section></body><binary id="p" content-type="image/png">iVBORw0KGgo=</binary>',
@@ -272,7 +272,7 @@ fuzzed("an image with mutated bytes is read or rejected", 30, async (random) => 
   await expectReadOrRejected(new Blob([bytes]), [...bytes].join());
 });
 
-fuzzed("mutated Markdown and text are read or rejected", 40, async (random) => {
+fuzzed("mutated Markdown and text are read or rejected", 20, async (random) => {
   const marks = [
     "#",
     "\n\n",
@@ -321,7 +321,7 @@ fuzzed("a mutated manifest of IIIF is read or rejected", 40, async (random) => {
   vi.restoreAllMocks();
 });
 
-fuzzed("a mutated PDF is read or rejected", 8, async (random) => {
+fuzzed("a mutated PDF is read or rejected", 5, async (random) => {
   const bytes = tinyPdf({
     pages: ["BT /F 12 Tf 20 200 Td (Call me) Tj ET", "0 0 1 rg 0 0 50 50 re f"],
     catalog: "/Lang (en) /OpenAction << /S /JavaScript /JS (app.alert(1)) >> /Outlines 10 0 R",

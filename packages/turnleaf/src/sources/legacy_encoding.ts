@@ -3,7 +3,7 @@
 import { analyse } from "chardet";
 import { eastAsianEncoding } from "./archive/legacy_names.ts";
 
-/** Bytes by which an encoding is told: of text, without its tags. */
+/** Bytes from which an encoding is found: of text, without its tags. */
 const sampleLength = 1 << 16;
 
 /** Tags, whose letters say nothing of the text's language. */

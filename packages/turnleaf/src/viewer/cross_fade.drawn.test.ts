@@ -7,7 +7,9 @@ import { afterEach, beforeEach, describe, expect, test, vi } from "vitest";
 import type { TurnDetail } from "../element/events.ts";
 import type { TurnleafBook } from "../element.ts";
 import { clock } from "../for_tests/clock.ts";
-import { book, happens, settled } from "../for_tests/element_books.ts";
+import { book, drawRoughly, happens, settled } from "../for_tests/element_books.ts";
+
+drawRoughly();
 
 const realMedia = globalThis.matchMedia;
 const realContext = HTMLCanvasElement.prototype.getContext;

@@ -116,6 +116,7 @@ test("Markdown that begins with a link is Markdown, and no JSON", async () => {
 });
 
 test("Markdown runs no script, fetches nothing, and its HTML is cleaned", async () => {
+  performance.clearResourceTimings();
   const source = await open(
     '# A\n\n<script>parent.ran = 1</script><img src="x" onerror="parent.ran = 1">\n\n![x](https://elsewhere.invalid/a.png)\n\n[run](javascript:parent.ran=1)\n\nHere.',
     "a.md",

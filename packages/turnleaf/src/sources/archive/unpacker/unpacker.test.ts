@@ -1,4 +1,5 @@
 import { describe, expect, it } from "vitest";
+import { isLong } from "../../../for_tests/long.ts";
 import { rar4, rar5, sevenZip, xz } from "../../../for_tests/stored_archives.ts";
 import { unpack } from "../../../packed.ts";
 import { fixture } from "./fixtures_for_tests.ts";
@@ -193,7 +194,7 @@ describe("XZ", () => {
     const [bytes] = packedByXz as [Uint8Array];
     expect((await ofXz(bytes, { allBytes: 9999 })).at(-1)).toMatchObject({ stop: "bytes" });
     // Behind its mark; a setting that changes nothing in this text may be another.
-    for (let at = 6; at < bytes.length; at++) {
+    for (let at = 6; at < bytes.length; at += isLong ? 1 : 7) {
       expect(Object.keys((await contents(ofXz(bytes.slice(0, at)))).files), String(at)).toEqual([]);
       const { files } = await contents(ofXz(bytes.with(at, bytes[at] ^ 1)));
       for (const file of Object.values(files)) expect(file, String(at)).toBe(text);
