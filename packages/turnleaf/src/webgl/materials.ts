@@ -81,8 +81,7 @@ export class BookMaterials {
     this.endpapers.backInside.setPicture(blank);
     const headband = { grain: grains.headband, grainDepth: 1, paperiness: 0, twoSided: true };
     this.headband = solid("#b9a37e", headband, bright);
-    const wire = { grain: grains.cloth, grainDepth: 0, paperiness: 0, twoSided: true };
-    this.staples = solid(stapleColour, wire, bright);
+    this.staples = solid(stapleColour, { ...headband, grainDepth: 0 }, bright);
   }
 
   /** Shows a picture on a face; `blank` stands for no picture, and outside the boards null does. */
