@@ -195,7 +195,7 @@ fuzz: $(MODULES) tools-rust chromium
 	mkdir -p target
 	TURNLEAF_SEED=$(SEED) TURNLEAF_FUZZ=$(FUZZ) TURNLEAF_VERDICTS=$(CURDIR)/target/mutated.verdicts cargo test --quiet -p turnleaf-engine --test hostile_key_frames
 	TURNLEAF_SEED=$(SEED) TURNLEAF_FUZZ=$(FUZZ) TURNLEAF_VERDICTS=$(CURDIR)/target/mutated.verdicts npx vitest run --project node --project command fuzz.test manifest.test hostile.test verdicts.test
-	TURNLEAF_SEED=$(SEED) TURNLEAF_FUZZ=$(FUZZ) npx vitest run --project chromium fuzz.browser.test
+	TURNLEAF_SEED=$(SEED) TURNLEAF_FUZZ=$(FUZZ) npx vitest run --project chromium --project "chromium, sources" fuzz.browser.test
 
 # Public collections of books, each at one commit, into a folder that git ignores; those that are
 # elsewhere already are found by TURNLEAF_CORPORA.

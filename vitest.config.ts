@@ -192,7 +192,7 @@ export default defineConfig({
         ...undrawn,
         exclude: [sources],
       }),
-      // Reading books leaves nothing in a page, and loading the readers takes as long as most of these files.
+      // They read books and show few, and loading the readers takes as long as most of these files.
       inChromium("chromium, sources", [sources], { ...undrawn, sharesPage: true }),
       inChromium("chromium, drawn", ["packages/**/*.drawn.test.ts"], {
         setup: "drawn_setup.ts",

@@ -14,7 +14,7 @@ use super::reader::Reader;
 use crate::gestures::random::Random;
 use crate::table::Table;
 
-/// Runs, unless told otherwise.
+/// Runs, unless another number is asked for.
 pub const RUNS: usize = 300;
 
 /// Every so many pictures it is measured how deep a leaf is drawn in itself.

@@ -10,7 +10,7 @@ installClock();
 drawNothing(() => void leaveLightOut());
 countWork();
 afterEach(() => clock.run());
-// The next file may share the page: books that were not closed have frames in it.
+// The next file may run in the same page: books that were not closed have frames in it.
 afterAll(() => {
   for (const frame of document.querySelectorAll("iframe")) frame.remove();
 });

@@ -99,11 +99,31 @@ export const hostileDrawings: Readonly<Record<string, string>> = {
   "layers by style": svg(
     `<style>g { opacity: 0.9; mix-blend-mode: multiply; }</style>${"<g>".repeat(250)}${rect}${"</g>".repeat(250)}`,
   ),
+  "filters upon each other": svg(
+    `<filter id="f"><feGaussianBlur stdDeviation="20"/></filter>${'<rect width="600" height="800" filter="url(#f)"/>'.repeat(2000)}`,
+  ),
+  "gradients upon each other": svg(
+    `<radialGradient id="g"><stop/><stop stop-opacity="0"/></radialGradient>${'<rect width="600" height="800" fill="url(#g)"/>'.repeat(5000)}`,
+  ),
+  "a matrix of thousands of numbers": svg(
+    `<filter id="f"><feConvolveMatrix order="100" kernelMatrix="${"1 ".repeat(10_000)}"/></filter><rect width="600" height="800" filter="url(#f)"/>`,
+  ),
   "pictures within pictures": pictures(3, 60),
   "a picture of an unknown kind": svg(
     `<image href="${bitmap(22_000, 22_000)}" width="600" height="800"/>`,
   ),
 };
+
+/** Returns a chapter of boxes, each as large as a page, that lie upon each other. */
+function uponEachOther(what: string, style: string, count: number) {
+  const place = "position: absolute; left: 0; top: 0; width: 100%; height: 100%";
+  return {
+    [`${what} upon each other`]: [
+      `div { ${place}; background: red; ${style}; }`,
+      "<div></div>".repeat(count),
+    ] as const,
+  };
+}
 
 /** What a chapter of an EPUB may have in its style, and its body. */
 const chapters: Readonly<Record<string, readonly [css: string, body: string]>> = {
@@ -128,6 +148,15 @@ const chapters: Readonly<Record<string, readonly [css: string, body: string]>> =
     `p { filter: ${"blur(9px) ".repeat(400)}; }`,
     "<p>Here.</p>".repeat(20),
   ],
+  ...uponEachOther("blurs", "filter: blur(20px)", 5000),
+  ...uponEachOther("gradients", "background: conic-gradient(red, transparent)", 5000),
+  ...uponEachOther(
+    "lists of gradients",
+    `background: ${times(100, (k) => `${k ? "," : ""}radial-gradient(red, transparent)`)}`,
+    200,
+  ),
+  ...uponEachOther("tiny gradients", "background: radial-gradient(red, blue) 0 0 / 1px 1px", 300),
+  ...uponEachOther("clips", "clip-path: circle(40%)", 5000),
   "a grid of millions of columns": [
     "div { display: grid; grid-template-columns: repeat(3000000, 1px); }",
     "<div><p>a</p></div>",

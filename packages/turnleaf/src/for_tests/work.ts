@@ -29,7 +29,11 @@ export function countWork(): void {
   afterEach(({ task }) => {
     task.file.meta.work = { ...work };
   });
-  // Files may share a page.
+<<<<<<< HEAD
+  // Files may run in one page.
+=======
+  // Several files may run in one page.
+>>>>>>> suite
   if (isCounting) return;
   isCounting = true;
   const { count } = TickCounter.prototype;

@@ -11,6 +11,7 @@ import { dataPicture, isNoPicture } from "./markup/data_address.ts";
 import { errorIn, parseMarkup } from "./markup/parse_markup.ts";
 import { BookError } from "./page_source.ts";
 import { pixelsAttribute, styleAttribute } from "./typeset/flow_book.ts";
+import { mostNanoseconds, paintingOfDrawing, stepsOf } from "./typeset/paint_cost.ts";
 
 /**
  * Elements that references may add: so many for each element that is there, as
@@ -27,6 +28,9 @@ const deepestLayers = 16;
  * 25 milliseconds. Drawing programs write filters of up to some 25 steps.
  */
 const mostFilterSteps = 100;
+
+/** Elements of a drawing, at least, that may be so many upon each other that they take long. */
+const leastPainted = 20;
 
 /** Pixels that the blur of a chapter's shadows covers beside their boxes: as many as a picture may have. */
 const mostBlurred = limits.imagePixels;
@@ -167,6 +171,11 @@ class Count {
     if (!(elements <= most)) this.#reject("its elements stand for too many others");
     if (!(layers <= deepestLayers)) this.#reject("too many of its layers are within each other");
     if (!(filterSteps <= mostFilterSteps)) this.#reject("its filters have too many steps");
+    // What is in a chapter is measured where that is laid out.
+    if (this.#depth !== null && length > leastPainted) {
+      const painting = await paintingOfDrawing(this.#root, this.#sheets);
+      if (painting > mostNanoseconds) this.#reject("too much is painted upon each other");
+    }
     return { ...cost, pixels };
   }
 
@@ -214,7 +223,7 @@ class Count {
       const { localName } = target;
       const cost = this.#cost(target);
       isLayer ||= localName === "pattern" || (localName === "clipPath" && cost.isClipped);
-      if (localName === "filter") ownSteps += target.childElementCount;
+      if (localName === "filter") ownSteps += stepsOf(target);
       add(cost, localName === "marker" ? cornersOf(element) : 1);
     }
     isClipped ||= /clip-path\s*:/.test(text);

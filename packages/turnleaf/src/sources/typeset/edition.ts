@@ -1,11 +1,11 @@
 import { unknownFailure } from "../failures.ts";
-import type { Typography } from "../page_source.ts";
+import { BookError, type Typography } from "../page_source.ts";
 import { SharedTasks } from "../shared_tasks.ts";
 import { divide } from "./divide.ts";
 import { type FlowBook, isAllText } from "./flow_book.ts";
 import type { FlowWarnings } from "./flow_warnings.ts";
 import { LaidChapter } from "./laid_chapter.ts";
-import { LaidSection, type SectionMap } from "./laid_section.ts";
+import { LaidSection, OverpaintedError, type SectionMap } from "./laid_section.ts";
 import {
   estimatePages,
   type LaidSample,
@@ -181,13 +181,22 @@ export class Edition {
       return laid;
     } catch (error) {
       signal.throwIfAborted();
-      const what = `Part ${section + 1} of ${this.#book.name} cannot be laid out`;
-      const failure = unknownFailure(what, error, "get the file again", {
-        source: this.#book.name,
-      });
+      const failure = this.#failureOf(section, error);
       this.#warnings.failed(section, failure);
       throw failure;
     }
+  }
+
+  #failureOf(section: number, error: unknown): BookError {
+    const part = `Part ${section + 1} of ${this.#book.name}`;
+    const source = { source: this.#book.name };
+    if (error instanceof OverpaintedError) {
+      return new BookError(
+        `${part} takes more time or memory than a page may: too much is painted upon each other; make it simpler.`,
+        { code: "tooLarge", ...source },
+      );
+    }
+    return unknownFailure(`${part} cannot be laid out`, error, "get the file again", source);
   }
 
   /** Keeps a frame as the first to go, until it is used. */

@@ -28,6 +28,7 @@ import { bleed } from "./lone_picture.ts";
 import { type MarginStyle, Markup, type PageMargins } from "./markup.ts";
 import { blankIds, isNoteLink, noteText } from "./notes.ts";
 import { leafOf, measuresOf, type PageMeasures } from "./page_measures.ts";
+import { mostNanoseconds, paintingOf } from "./paint_cost.ts";
 import { type PageFlow, pageOfRect, TextMap } from "./text_map.ts";
 import { type TitleFace, titleFaceIn } from "./title_font.ts";
 import { isTypeface, typefaceRules } from "./typefaces/typefaces.ts";
@@ -113,6 +114,9 @@ export interface NoteLink {
   readonly page: number;
 }
 
+/** What rejects a section of which too much lies upon each other on a page to be painted. */
+export class OverpaintedError extends Error {}
+
 /** A section set into pages, in a frame of its own. */
 export class LaidSection {
   readonly map: SectionMap;
@@ -143,8 +147,8 @@ export class LaidSection {
   }
 
   /**
-   * Lays a section out. Rejects with any error of the browser, and with the signal's reason, as soon as
-   * that aborts: its frame is gone then.
+   * Lays a section out. Rejects with any error of the browser, with an `OverpaintedError`, and with the
+   * signal's reason, as soon as that aborts: its frame is gone then.
    *
    * @param isScrolled whether its pages hang together, so that a line may be cut
    * where one ends
@@ -392,6 +396,7 @@ async function layIn<T>(
       ...(isSliced && { height: (size.height * leaf.width) / page.width }),
     },
   };
+  if (paintingOf(html, content.styles, size, flow) > mostNanoseconds) throw new OverpaintedError();
   const text = new TextMap(body, flow, pageCount);
   const styles = withUsedFonts([spokenStyle, ...own], frame);
   const margins: MarginStyle | null =
