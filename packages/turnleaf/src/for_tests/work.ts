@@ -29,11 +29,7 @@ export function countWork(): void {
   afterEach(({ task }) => {
     task.file.meta.work = { ...work };
   });
-<<<<<<< HEAD
-  // Files may run in one page.
-=======
   // Several files may run in one page.
->>>>>>> suite
   if (isCounting) return;
   isCounting = true;
   const { count } = TickCounter.prototype;
