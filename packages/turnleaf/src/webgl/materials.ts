@@ -71,6 +71,9 @@ export class BookMaterials {
       paperiness: 0.35,
       twoSided: true,
     });
+    // Seen on edge it is so steep that its depth is known to a pixel only, and would be seen through sheets that
+    // lie over its upper end: it lies as far back as that.
+    Object.assign(this.leafEdges, { polygonOffset: true, polygonOffsetFactor: 1 });
     const fold = (): SolidMaterial =>
       solid(paper, { grain: grains.cloth, grainDepth: 0, paperiness: 1, twoSided: true });
     this.endpapers = { frontInside: fold(), backInside: fold() };
@@ -78,8 +81,7 @@ export class BookMaterials {
     this.endpapers.backInside.setPicture(blank);
     const headband = { grain: grains.headband, grainDepth: 1, paperiness: 0, twoSided: true };
     this.headband = solid("#b9a37e", headband, bright);
-    const wire = { grain: grains.cloth, grainDepth: 0, paperiness: 0, twoSided: true };
-    this.staples = solid(stapleColour, wire, bright);
+    this.staples = solid(stapleColour, { ...headband, grainDepth: 0 }, bright);
   }
 
   /** Shows a picture on a face; `blank` stands for no picture, and outside the boards null does. */

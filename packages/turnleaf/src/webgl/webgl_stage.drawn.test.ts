@@ -282,6 +282,26 @@ test("as paper comes down its shade draws to its edge", () => {
   expect(new Set(widths).size).toBe(widths.length);
 });
 
+/** Returns a pile of flat pages on the right of a thickness, metres. */
+function thickPile(thickness: number): Pile {
+  const pile = flatPile(1);
+  for (let k = 0; k < pile.columns; k++) pile.curves[2 * k + 1] = thickness;
+  return pile;
+}
+
+test("the edges of pages are not seen through a loose sheet that lies over them", () => {
+  const stage = whiteStage();
+  const thickness = 0.005;
+  for (let k = 0; k < 8; k++) {
+    // Where pixels lie otherwise about the edge.
+    stage.resize(600 + 7 * k, 400, 1);
+    const sheet = { ...looseSheet(0, thickness + 1e-4, 0.06), version: k + 1 };
+    stage.pose({ ...open, right: thickPile(thickness), loose: [sheet] });
+    const reds = redAcross(stage, shape.width - 0.01, shape.width + 0.01);
+    expect(Math.max(...reds) - Math.min(...reds), String(reds)).toBeLessThan(8);
+  }
+});
+
 test("what draws loose sheets is compiled with the frame in which a book is bound that has none yet", () => {
   const compiled = vi.spyOn(WebGL2RenderingContext.prototype, "linkProgram");
   const programs = (loose: readonly Surface[]): number => {
