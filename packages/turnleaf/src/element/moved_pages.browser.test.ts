@@ -143,14 +143,22 @@ test("pages that are inserted into a leaf while it is torn out stay in the book"
   const element = await opened();
   element.bookmarks = [4, 9];
   clock.hold();
+  const viewer = viewerOf(element);
+  const changePages = viewer.changePages.bind(viewer);
+  const waits = new Promise<void>((resolve) => {
+    vi.spyOn(viewer, "changePages").mockImplementation((change) => {
+      resolve();
+      return changePages(change);
+    });
+  });
   const torn = element.tearOut(5);
   await clock.until(() => element.state !== "resting");
   const inserted = [
     element.insertPages(6, [{ src: scan(98), label: "new" }]),
     element.insertPages(1, [{ src: scan(99), label: "first" }]),
   ];
-  // Until they wait for the book's rest.
-  await clock.pass(1000);
+  // The first waits for the book's rest, the second for the first.
+  await waits;
   expect(element.pageCount).toBe(12);
   await clock.until(() => element.tornLeaves === 1);
   expect(await torn).toBe(true);
