@@ -6,7 +6,6 @@ use std::ops::Range;
 use serde::Serialize;
 use turnleaf_engine::{FoldLine, Stock};
 
-use super::MOST_TO_REST;
 use super::act::{FLICK, carry};
 use super::folded_figures::{FoldedFigures, Seen};
 use super::open::{self, PAGES, STOCKS};
@@ -190,7 +189,7 @@ impl Run {
             reader.frame();
             frame += 1;
         }
-        reader.come_to_rest(MOST_TO_REST);
+        reader.come_to_rest();
         Seen {
             at_rest: before.max(reader.in_itself_at_rest()),
             watched: reader.into_watched(),

@@ -28,9 +28,6 @@ use watch::Watched;
 /// of them are of all uses, books, stocks and pages.
 const STRIDE: usize = 233;
 
-/// Longest that leaves may take to come to rest once a reader is done, frames.
-const MOST_TO_REST: u32 = 600;
-
 /// Every so many pictures it is measured how deep leaves are drawn in each other.
 const LOOKED_AT: usize = 8;
 
@@ -169,7 +166,7 @@ fn play(run: Run, page: [f64; 2]) -> Watched {
         reader.frame();
         frame += 1;
     }
-    reader.come_to_rest(MOST_TO_REST);
+    reader.come_to_rest();
     reader.into_watched()
 }
 

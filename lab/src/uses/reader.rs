@@ -8,6 +8,9 @@ use turnleaf_engine::{FoldLine, Side};
 use super::watch::{Frame, Watch, Watched};
 use crate::gestures::creasing::measure_at_rest;
 
+/// Longest that leaves may take to come to rest once a reader is done, frames.
+const MOST_TO_REST: u32 = 600;
+
 /// The viewer's: most leaves in flight, most of a held key's turns that wait, length of a turn,
 /// least time between two leaves, seconds; leaves that a jump turns one by one, and leaves that fly
 /// in a longer one.
@@ -92,9 +95,9 @@ impl Reader {
         !self.flights.is_empty() || !self.plan.is_empty()
     }
 
-    /// Looks on until all lies at rest, for so many frames at most.
-    pub fn come_to_rest(&mut self, most: u32) {
-        for _ in 0..most {
+    /// Looks on until all lies at rest, for ten seconds at most.
+    pub fn come_to_rest(&mut self) {
+        for _ in 0..MOST_TO_REST {
             if !self.moves() {
                 break;
             }

@@ -10,6 +10,7 @@ use super::patches::Patches;
 use super::settings::{CAN_CREASE, InvalidSheet};
 use super::sweep::{Sweep, TOLERANCE};
 use super::system::System;
+use super::touching::Touching;
 use crate::creased_only::CreasedOnly;
 use crate::grid::Side;
 use core::f64::consts::PI;
@@ -223,6 +224,11 @@ impl Sheet {
             creased.hinges.expect_rests();
             creased.hinges.settle(positions, tangents, 0.0);
         }
+    }
+
+    /// Sets which nodes are kept off other parts of the sheet from the next step on.
+    pub(crate) fn touch(&mut self, touching: Vec<Touching>) {
+        self.sweep.touching = touching;
     }
 
     /// Says whether creases turned further than they yield keep the difference, as they do

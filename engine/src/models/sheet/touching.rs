@@ -5,7 +5,6 @@
 //! (position based dynamics: Müller et al. 2007), so that no part gains speed by it. As half-spaces
 //! in the solve, one for each side from where the other was to be, they threw folded flaps open.
 
-use super::Sheet;
 use super::lane_nodes::LaneNodes;
 use crate::triangle::{BESIDE, Triangle};
 
@@ -72,12 +71,5 @@ impl Touching {
             }
         }
         -gap
-    }
-}
-
-impl Sheet {
-    /// Sets which nodes are kept off other parts of the sheet from the next step on.
-    pub(crate) fn touch(&mut self, touching: Vec<Touching>) {
-        self.sweep.touching = touching;
     }
 }
