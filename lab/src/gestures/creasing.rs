@@ -8,13 +8,11 @@ use super::overlap::{Overlap, measure};
 use super::parts::inside_parts;
 use super::random::Random;
 use super::tearing::{Event, GRAB, Tear, Torn};
+use super::timed_folding::TimedFolding;
 use super::world::{Opened, World};
 
 /// Leaves on either side of the opening that are folded before the gesture, once in two.
 const BESIDE: u32 = 3;
-
-/// Ticks in which a leaf is folded before the reader's eyes, as by the viewer.
-const FOLDING: u32 = 60;
 
 /// What folds and tears did. Lengths are in metres on a page 140 mm wide.
 #[derive(Clone, Copy, Debug, Default)]
@@ -41,13 +39,6 @@ struct FoldedLeaf {
     was_held: bool,
 }
 
-/// A leaf that is being folded before the reader's eyes.
-struct Pressing {
-    leaf: u32,
-    rests: Vec<f32>,
-    ticks: u32,
-}
-
 /// The folds and tears of a gesture.
 pub struct Creasing {
     /// Numbers of its own, so that the pointers of a seed are the same.
@@ -55,7 +46,7 @@ pub struct Creasing {
     fold: Fold,
     page: [f64; 2],
     leaves: Vec<FoldedLeaf>,
-    pressing: Option<Pressing>,
+    pressing: Option<TimedFolding>,
     tear: Option<Tear>,
     pub outcome: CreaseOutcome,
 }
@@ -151,17 +142,8 @@ impl Creasing {
             return;
         }
         let made = self.lines(book, leaf);
-        let flat = |line: &FoldLine| FoldLine { rest: 0.0, ..*line };
-        let is_folded = book.crease(leaf, &made.iter().map(flat).collect::<Vec<_>>());
-        if is_folded {
-            let rests = made.iter().map(|line| line.rest as f32).collect();
-            self.pressing = Some(Pressing {
-                leaf,
-                rests,
-                ticks: 0,
-            });
-        }
-        self.count(is_folded, leaf, made);
+        self.pressing = TimedFolding::begin(book, leaf, &made);
+        self.count(self.pressing.is_some(), leaf, made);
     }
 
     /// A place of a flight's leaf, u and v, that is folded over, if it has one.
@@ -194,18 +176,7 @@ impl Creasing {
 
     /// Presses what is folded by a tick.
     pub fn press(&mut self, book: &mut Book) {
-        let Some(pressing) = &mut self.pressing else {
-            return;
-        };
-        pressing.ticks += 1;
-        let part = pressing.ticks as f32 / FOLDING as f32;
-        let eased = part * part * (3.0 - 2.0 * part);
-        for (crease, rest) in pressing.rests.iter().enumerate() {
-            book.press(pressing.leaf, crease, eased * rest);
-        }
-        if pressing.ticks >= FOLDING {
-            self.pressing = None;
-        }
+        self.pressing.take_if(|pressing| !pressing.press(book));
     }
 
     /// Steps and draws a leaf that is torn by a frame of `ticks`. Returns whether all leaves in

@@ -15,6 +15,7 @@ mod pointer;
 pub mod random;
 mod scene;
 mod tearing;
+pub mod timed_folding;
 mod triangle;
 mod world;
 

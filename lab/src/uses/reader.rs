@@ -7,6 +7,7 @@ use turnleaf_engine::{FoldLine, Side};
 
 use super::watch::{Frame, Watch, Watched};
 use crate::gestures::creasing::measure_at_rest;
+use crate::gestures::timed_folding::TimedFolding;
 
 /// Longest that leaves may take to come to rest once a reader is done, frames.
 const MOST_TO_REST: u32 = 600;
@@ -21,9 +22,8 @@ const APART: f32 = 0.09 * SECONDS;
 const MOST_SINGLE: u32 = 12;
 const RIFFLED: u32 = 9;
 
-/// Ticks of a frame, and those in which the viewer folds a leaf.
+/// Ticks of a frame.
 const TICKS: u32 = 2;
-const FOLDING: u32 = 60;
 
 /// A leaf in flight.
 struct Flight {
@@ -31,13 +31,6 @@ struct Flight {
     low: u32,
     high: u32,
     to: Side,
-}
-
-/// A leaf that is being folded: where its folds will rest, radians, and the ticks since it was begun.
-struct Folding {
-    leaf: u32,
-    rests: Vec<f32>,
-    ticks: u32,
 }
 
 /// A reader.
@@ -57,7 +50,7 @@ pub struct Reader {
     /// The flight that was taken or caught last.
     taken: Option<u32>,
     /// A leaf that is being folded before the reader's eyes.
-    folding: Option<Folding>,
+    folding: Option<TimedFolding>,
     watch: Watch,
 }
 
@@ -114,32 +107,18 @@ impl Reader {
     pub fn fold(&mut self, lines: &[FoldLine]) {
         let leaf = self.right_end();
         self.take(Side::Right);
-        let flat: Vec<FoldLine> = { lines.iter() }
-            .map(|line| FoldLine { rest: 0.0, ..*line })
-            .collect();
-        if self.taken.is_some() && self.book.crease(leaf, &flat) {
-            self.folding = Some(Folding {
-                leaf,
-                rests: lines.iter().map(|line| line.rest as f32).collect(),
-                ticks: 0,
-            });
+        if self.taken.is_none() {
+            return;
+        }
+        if let Some(folding) = TimedFolding::begin(&mut self.book, leaf, lines) {
+            self.folding = Some(folding);
         }
     }
 
     /// Presses what is being folded by a tick.
     fn press_folds(&mut self) {
-        let Some(folding) = &mut self.folding else {
-            return;
-        };
-        folding.ticks += 1;
-        let part = folding.ticks as f32 / FOLDING as f32;
-        let eased = part * part * (3.0 - 2.0 * part);
-        for (crease, rest) in folding.rests.iter().enumerate() {
-            self.book.press(folding.leaf, crease, eased * rest);
-        }
-        if folding.ticks >= FOLDING {
-            self.folding = None;
-        }
+        let book = &mut self.book;
+        self.folding.take_if(|folding| !folding.press(book));
     }
 
     /// What was seen.
