@@ -71,7 +71,7 @@ const parts = {
     "sound",
     "read_aloud",
   ],
-  controls: ["element", "sources", "themes.ts", "words"],
+  controls: ["attributes.ts", "element", "sources", "themes.ts", "words"],
   "element.ts": [
     "attributes.ts",
     "book",

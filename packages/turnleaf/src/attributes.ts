@@ -9,7 +9,8 @@ import { stocks, tearLines } from "./engine/shapes.ts";
 import type { TurnModelName } from "./leaf_models/model_choice.ts";
 import { pageThemes } from "./themes.ts";
 
-const themes: readonly ["auto", ...typeof pageThemes] = ["auto", ...pageThemes];
+/** The themes, and `auto`. */
+export const themes: readonly ["auto", ...typeof pageThemes] = ["auto", ...pageThemes];
 /** Colours of desk, boards, paper, text and controls; `auto` is light or night, as the system. */
 export type Theme = (typeof themes)[number];
 
@@ -17,7 +18,8 @@ export type Theme = (typeof themes)[number];
 const fonts = ["", "serif", "sans-serif", "legible", "dyslexic"] as const;
 const alignments = ["", "justify", "start"] as const;
 const hyphenations = ["", "auto", "none"] as const;
-const darkPages = ["", "invert", "dim"] as const;
+/** What dark themes may do with pages that are drawn already, the default first. */
+export const darkPages: readonly ["", "invert", "dim"] = ["", "invert", "dim"];
 const covers = ["auto", "hard", "soft", "none"] as const;
 const cameras = ["reader", "overhead"] as const;
 const bindings = ["auto", "left", "right", "top", "bottom"] as const;

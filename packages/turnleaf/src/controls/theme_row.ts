@@ -1,13 +1,10 @@
 /** The choice of a theme, and of what dark ones do with pages that are drawn already. */
 
-import { pageThemes } from "../themes.ts";
+import { darkPages, themes } from "../attributes.ts";
 import type { ControlledBook } from "./book.ts";
 import { radios } from "./choices.ts";
 import { make } from "./make.ts";
 import type { Wording } from "./wording.ts";
-
-const themes = ["auto", ...pageThemes] as const;
-const darkPages = ["invert", "dim"] as const;
 
 /** Two rows of buttons, each one of several: by themselves radio buttons, in a menu items of it. */
 export class ThemeRow {
@@ -39,7 +36,7 @@ export class ThemeRow {
       texts.darkPages,
       "dark-pages",
       "dark-pages",
-      darkPages,
+      darkPages.filter((how) => how !== ""),
       done,
       (how) => [make("span", {}, ways[how])],
     );
