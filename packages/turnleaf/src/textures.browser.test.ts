@@ -52,9 +52,12 @@ test("a far jump in a hard-bound book sends no closed picture to the graphics ca
   const uploads = uploadsOf(canvas.getContext("webgl2") as WebGL2RenderingContext);
   await settled(element);
   for (const page of [64, 1, 150]) {
+    const before = uploads.count();
     expect(await element.goTo(page)).toBe(true);
     await settled(element);
+    // Both pages of the spread at the least. How many more depends on how quickly pictures come: a leaf in
+    // flight shows those that are there. The cover may still be on the card.
+    if (page !== 1) expect(uploads.count()).toBeGreaterThanOrEqual(before + 2);
   }
-  expect(uploads.count()).toBeGreaterThan(20);
   expect([uploads.closed(), uploads.left()]).toEqual([0, 0]);
 });
