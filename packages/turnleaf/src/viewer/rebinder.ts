@@ -14,6 +14,7 @@ import {
   BoundBook,
   layOutBinding,
 } from "./bound_book.ts";
+import type { DragTargets } from "./drag.ts";
 import { defaultBinding, type ViewerOptions } from "./viewer_options.ts";
 
 /** The dependencies of a rebinder. */
@@ -35,6 +36,8 @@ function shutSide(binding: Binding, spread: number): "front" | "back" | null {
 
 /** The book as it is bound now, and all changes that wait for its rest. */
 export class Rebinder {
+  /** What the drags on the book can do besides, however it is bound. */
+  readonly targets: DragTargets = { foldOut: null, loose: null, cornerAt: null };
   readonly #parts: RebinderParts;
   #bound: BoundBook;
   /** The layout in which the book shows pages that are not to be shown by themselves. */
@@ -204,7 +207,7 @@ export class Rebinder {
    */
   #bind(plan: BindingLayout, engine: BookEngine, shut: "front" | "back" | null): BoundBook {
     const { stage, pictures, options, events } = this.#parts;
-    const bound = new BoundBook(plan, engine, stage, pictures, events);
+    const bound = new BoundBook(plan, engine, { stage, pictures, events, targets: this.targets });
     pictures.bind((page) => spineOf(plan.binding, page));
     bound.turning.seconds = options.turnSeconds();
     this.#applyPaper(options.paper(), engine, plan);

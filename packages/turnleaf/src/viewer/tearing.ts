@@ -104,14 +104,13 @@ export class Tearing {
       heard: (work) => hooks.heard(work),
       drop: (picture) => bitmaps.drop(picture),
     });
-    rebinder.bound.drags.loose = this.#loose;
+    rebinder.targets.loose = this.#loose;
   }
 
   /** Call it when the book was bound anew: what was being torn is bound again. */
   bound(): void {
     this.#end(false);
     this.#begun.clear();
-    this.#rebinder.bound.drags.loose = this.#loose;
   }
 
   /**

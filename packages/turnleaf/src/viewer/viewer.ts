@@ -144,7 +144,7 @@ export class Viewer {
     };
     const tools = { book, stage, pictures: this.#bitmaps, options, events };
     this.#rebinder = new Rebinder(tools, plan, engine);
-    this.#bound.drags.foldOut = this.#foldOut;
+    this.#rebinder.targets.foldOut = this.#foldOut;
     this.commands = new LeafCommands(this.#rebinder, this.#foldOut, arrived);
     this.sheets = new SheetCommands(
       { rebinder: this.#rebinder, bitmaps: this.#bitmaps, stage, backend, options },
@@ -691,7 +691,6 @@ export class Viewer {
     const page = pageOf(before, this.turning.spread);
     const isRenumbered = this.#rebinder.willRenumber;
     this.#rebinder.bindAnew(this.#cssWidth, this.#cssHeight);
-    this.#bound.drags.foldOut = this.#foldOut;
     this.sheets.bound();
     this.#viewHistory.forget();
     this.#stillHistory.forget();
