@@ -13,7 +13,7 @@ import type { PageList } from "../sources/page_list.ts";
 import { bindingOptionsOf } from "./attribute_options.ts";
 import { cleanDogEars, cleanFolds, withDogEars } from "./fold_lists.ts";
 import type { OpenBook } from "./open_book.ts";
-import { emptyLists, layoutLists, movedLists, type PageLists } from "./page_lists.ts";
+import { emptyLists, movedLists, type PageLists } from "./page_lists.ts";
 import { cleanPages } from "./page_numbers.ts";
 import type { HomePlace } from "./place_keeper.ts";
 import { ReflectingElement } from "./reflecting_element.ts";
@@ -207,7 +207,7 @@ export abstract class MarkedElement extends ReflectingElement {
   }
 
   /**
-   * The lists that name pages, as they lie now. Once they are set, `reportLists` is to follow.
+   * The lists that name pages, as they lie now. Set while these move; `reportLists` is to follow.
    *
    * @internal
    */
@@ -217,8 +217,6 @@ export abstract class MarkedElement extends ReflectingElement {
 
   protected set lists(lists: PageLists) {
     this.#lists = lists;
-    // The book is about to be bound anew, with the folds of its pages as they lie then.
-    this.book?.viewer.sheets.keepFolds([...lists.dogEars, ...lists.folds]);
   }
 
   /**
@@ -257,7 +255,7 @@ export abstract class MarkedElement extends ReflectingElement {
   }
 
   /**
-   * Reports the lists that have followed their pages, and shows the open book by them.
+   * Reports the lists that have followed their pages.
    *
    * @internal
    */
@@ -267,7 +265,6 @@ export abstract class MarkedElement extends ReflectingElement {
     const { bookmarks, dogEars, folds, shifts } = now;
     const isOther = (name: keyof PageLists): boolean =>
       JSON.stringify(now[name]) !== JSON.stringify(before[name]);
-    this.book?.viewer.rebind(layoutLists(now));
     if (isOther("dogEars") || isOther("folds")) void this.#refold(false);
     if (isOther("dogEars")) this.emit("dogearchange", { dogEars });
     if (isOther("folds")) this.emit("foldchange", { folds });

@@ -34,7 +34,7 @@ import { type BitmapWidths, bitmapWidths } from "./face_textures.ts";
 import { FoldOut } from "./fold_out.ts";
 import { FrameQuality, firstFrameWait } from "./frame_timing.ts";
 import { LeafCommands } from "./leaf_commands.ts";
-import { Rebinder } from "./rebinder.ts";
+import { type MovedPages, Rebinder } from "./rebinder.ts";
 import { Sharpness } from "./sharpness.ts";
 import { SheetCommands } from "./sheet_commands.ts";
 import { defaultBinding, type ViewerOptions } from "./viewer_options.ts";
@@ -292,29 +292,29 @@ export class Viewer {
 
   /**
    * Changes the book's pages as soon as it is at rest. The visible page stays
-   * in sight, or the one that lies in its place; the options that name pages are
-   * asked for again (`ViewerOptions.lists`).
+   * in sight, or the one that lies in its place.
    *
    * Resolves to whether the change was made: false if the book was closed
    * before. Rejects with what `change` throws.
    *
-   * @param change changes the source and returns where its pages lie now
+   * @param change changes the source and returns where its pages lie now, and what names them
    */
-  changePages(change: () => NewIndex): Promise<boolean> {
+  changePages(change: () => MovedPages): Promise<boolean> {
     const changed = this.#rebinder.change(() => {
-      const moved = change();
+      const pages = change();
       const { leaf } = this.#source;
       if (leaf) this.#cutLeaves(leaf);
-      return moved;
+      this.sheets.keepFolds(pages.folds);
+      return pages;
     });
     this.#bindSoon();
     return changed;
   }
 
   /**
-   * Measures the pages, whose source knows only now how large they are. Resolves to a change for
-   * `changePages`, which gives the leaves that size. Rejects with a `BookError` if no page's size can
-   * be read, or with the signal's reason.
+   * Measures the pages, whose source knows only now how large they are. Resolves to a change of
+   * the source for `changePages`, which gives the leaves that size. Rejects with a `BookError` if no
+   * page's size can be read, or with the signal's reason.
    */
   async measure(signal: AbortSignal): Promise<() => NewIndex> {
     const leaf = await leafSize(this.#source, signal);
