@@ -27,25 +27,17 @@ import type { OpenBook } from "./element/open_book.ts";
 import type { PageChanges } from "./element/page_changes.ts";
 import { layoutLists } from "./element/page_lists.ts";
 import { pageNumber, RequestedPage } from "./element/page_numbers.ts";
-import { differs, expectedPage, PageShown } from "./element/page_shown.ts";
 import { pageThemeOf, watchScheme } from "./element/page_theme.ts";
 import { adopt } from "./element/reflecting_element.ts";
 import { openPages, ShadowTree } from "./element/shadow_tree.ts";
 import { SoundAndHaptics } from "./element/sound_and_haptics.ts";
 import { TearableElement } from "./element/tearable_element.ts";
-import { type ChosenTypography, typographyOf } from "./element/typography.ts";
+import { TextSetting } from "./element/text_setting.ts";
 import { pagesIn } from "./sources/html/child_pages.ts";
 import { loadPart } from "./sources/load_part.ts";
 import type { BookInput } from "./sources/open.ts";
 import type { PageList } from "./sources/page_list.ts";
-import {
-  BookError,
-  type NewIndex,
-  type PageColours,
-  type PageSize,
-  type Typography,
-} from "./sources/page_source.ts";
-import { paperback } from "./sources/typeset/page_measures.ts";
+import { BookError, type NewIndex, type PageColours } from "./sources/page_source.ts";
 import { coloursOf } from "./themes.ts";
 import type { Viewer, ViewerOptions, Zoom } from "./viewer/viewer.ts";
 import type { FilmFrames } from "./viewer/viewer_options.ts";
@@ -99,7 +91,7 @@ export class TurnleafBook extends TearableElement {
     announceZoom: () => this.announceZoom(),
     calm: () => this.#calm,
     goTo: (page, top) => void this.turnTo(page, { top, jump: true }),
-    typography: () => this.#takeTypography(),
+    typography: () => this.#text.take(),
     password: () => this.password,
     askPassword: async (isWrong, signal) =>
       this.controls ? await this.#controls.askPassword(this, isWrong, signal) : null,
@@ -124,10 +116,11 @@ export class TurnleafBook extends TearableElement {
   filmFrames: FilmFrames | null = null;
   /** Changes the book's pages, once they are to be changed. */
   #pageChanges: Promise<PageChanges> | null = null;
-  /** The size for which the open book's text is set. */
-  readonly #pageShown: PageShown = new PageShown(
-    () => this.#shownPage(),
-    () => this.#typeset(),
+  readonly #text: TextSetting = new TextSetting(
+    this,
+    this.#tree.stage,
+    () => this.#life.book,
+    (error) => this.reportMissingPart(error),
   );
   readonly #controls = new ControlsLoader((error) => this.reportMissingPart(error));
   readonly #soundAndHaptics = new SoundAndHaptics(
@@ -154,10 +147,8 @@ export class TurnleafBook extends TearableElement {
   #state: BookState = "resting";
   /** Whether the element is in a document. */
   #connected = false;
-  /** Whether the attributes of the text are being set for a book that is not open yet. */
-  #isRestoring = false;
-  /** What the book that opens was set and bound by, as text: it is asked for anew where it is other by then. */
-  #openedBy = { typography: "", binding: "" };
+  /** What the book that opens was bound by, as text. */
+  #boundBy = "";
   /** Opens a book of the element's children when the first of them comes. */
   readonly #children = new MutationObserver(() => {
     if (this.#life.isIdle && this.#childPages() !== "") this.#reopen();
@@ -230,7 +221,7 @@ export class TurnleafBook extends TearableElement {
 
   /** Whether the visible pages are at full sharpness, set for the size in which they are shown, and nothing moves. */
   get settled(): boolean {
-    return !this.#pageShown.isPending && (this.#viewer?.settled ?? false);
+    return !this.#text.isPending && (this.#viewer?.settled ?? false);
   }
 
   /**
@@ -543,7 +534,7 @@ export class TurnleafBook extends TearableElement {
       this.#left = { ...this.#left, page, anchor: this.source?.first.anchor?.(page - 1) };
     }
     if (this.#life.book) this.returnLists();
-    this.#pageShown.stop();
+    this.#text.stop();
     this.#life.close();
     this.reportLists();
     this.#updateState();
@@ -575,9 +566,7 @@ export class TurnleafBook extends TearableElement {
     },
     changePaper: () => this.#viewer?.setPaper(this.#leaves),
     changeModel: () => void this.#viewer?.setModel(this),
-    typeset: () => {
-      if (!this.#isRestoring) void this.#typeset();
-    },
+    typeset: () => this.#text.attributeChanged(),
     changePace: () => {
       if (this.#viewer) this.#viewer.turning.seconds = turnSecondsOf(this);
     },
@@ -727,21 +716,10 @@ export class TurnleafBook extends TearableElement {
   }
 
   async #restore(source: PageList, src: string): Promise<void> {
-    this.#isRestoring = true;
-    const before = JSON.stringify(typographyOf(this));
-    const typography = (): Typography => this.#takeTypography();
-    const found = await this.restorePlace(source, src, typography, this.#left?.anchor);
+    const found = await this.#text.restore((typography) =>
+      this.restorePlace(source, src, typography, this.#left?.anchor),
+    );
     if (this.#left && found !== null) this.#left = { ...this.#left, page: found };
-    this.#isRestoring = false;
-    // Set anew, by all that attributes say now.
-    if (JSON.stringify(typographyOf(this)) !== before) this.#takeTypography();
-  }
-
-  #takeTypography(): Typography {
-    const typography = typographyOf(this);
-    this.#openedBy.typography = JSON.stringify(typography);
-    this.#pageShown.size = expectedPage(this, this.#tree.stage, null, null, typography);
-    return this.#setFor(typography);
   }
 
   /** Returns the book that the element's children are; "" if there are none yet. */
@@ -785,7 +763,7 @@ export class TurnleafBook extends TearableElement {
   #options(source: PageList): ViewerOptions {
     source.colours = coloursOf(pageThemeOf(this), this.darkPages);
     const binding = this.#binding;
-    this.#openedBy.binding = JSON.stringify(binding);
+    this.#boundBy = JSON.stringify(binding);
     return {
       ...binding,
       paper: () => this.#leaves,
@@ -803,7 +781,7 @@ export class TurnleafBook extends TearableElement {
         if (isOpen) this.#tree.announce(detail.message);
         this.emit("pageerror", { ...detail, page });
       },
-      onPageWidth: () => this.#pageShown.follow(),
+      onPageWidth: () => this.#text.follow(),
       onLayout: () => this.#laidOut(),
       onPage: (from, to) => this.#pageChanged(from, to, from < to ? "forward" : "backward"),
       onMotion: (...frame) => {
@@ -842,8 +820,8 @@ export class TurnleafBook extends TearableElement {
   /** Binds and sets a book that has just opened as attributes say that were changed meanwhile. */
   #follow(viewer: Viewer): void {
     const binding = this.#binding;
-    if (JSON.stringify(binding) !== this.#openedBy.binding) viewer.rebind(binding);
-    if (JSON.stringify(typographyOf(this)) !== this.#openedBy.typography) void this.#typeset();
+    if (JSON.stringify(binding) !== this.#boundBy) viewer.rebind(binding);
+    if (this.#text.isOutdated) void this.#text.setAnew();
   }
 
   #started(low: number, high: number, toLeft: boolean): void {
@@ -886,48 +864,6 @@ export class TurnleafBook extends TearableElement {
   /** Makes a change of the pages that their source asks for, once the book is at rest. */
   async #followSource(change: () => NewIndex): Promise<void> {
     if (await this.#life.book?.followSource(change)) this.pagesChanged();
-  }
-
-  async #typeset(): Promise<void> {
-    const typography = typographyOf(this);
-    // Larger type may have one page shown instead of two, or wider ones.
-    const expected = this.#expectedPage(typography);
-    if (expected.layout === this.shownLayout) this.#pageShown.take();
-    else this.#pageShown.size = expected;
-    try {
-      await this.source?.typeset?.(this.#setFor(typography));
-    } catch (error) {
-      this.reportMissingPart(error);
-    }
-  }
-
-  #setFor(typography: ChosenTypography): Typography {
-    const { width, height } = this.#pageShown.size;
-    return { ...typography, width, height };
-  }
-
-  #expectedPage(typography: ChosenTypography): ReturnType<typeof expectedPage> {
-    return expectedPage(
-      this,
-      this.#tree.stage,
-      this.source ?? null,
-      this.#viewer?.binding.layout ?? null,
-      typography,
-    );
-  }
-
-  /**
-   * Returns how large pages of flowing text are shown, or are to be if that is of another shape; null while
-   * it is unknown.
-   */
-  #shownPage(): PageSize | null {
-    const width = this.canTypeset ? (this.#viewer?.pageWidth ?? 0) : 0;
-    if (width === 0) return null;
-    const leaf = this.source?.leaf ?? paperback;
-    const expected = this.#expectedPage(typographyOf(this));
-    const height = (width * leaf.height) / leaf.width;
-    const isOther = differs(expected.width / expected.height, width / height);
-    return isOther ? expected : { width, height };
   }
 
   /** @internal */
