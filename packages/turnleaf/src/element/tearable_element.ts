@@ -41,7 +41,7 @@ export abstract class TearableElement extends ReaderElement {
   #loadingTorn: Promise<void> | null = null;
   /** How many calls wait for what tears leaves out. */
   #loadingTears = 0;
-  /** The last of them. */
+  /** The last call of `allowTearing`, which tearing by command waits for. */
   #allowed: Promise<void> = Promise.resolve();
 
   /**
@@ -152,7 +152,7 @@ export abstract class TearableElement extends ReaderElement {
   }
 
   /**
-   * Has leaves torn out where the attribute allows it.
+   * Allows tearing or forbids it, as the attribute says: call it when that has changed.
    *
    * @internal
    */

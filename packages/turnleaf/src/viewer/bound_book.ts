@@ -147,7 +147,7 @@ export interface BookEvents extends TurningEvents {
   readonly moved: () => void;
 }
 
-/** What a bound book shares with those before and after it. */
+/** What a bound book has in common with those before and after it. */
 export interface BoundBookParts {
   readonly stage: BookStage;
   readonly pictures: PageBitmaps;

@@ -63,7 +63,10 @@ export interface FoldOutSheets extends LooseSheets {
   foldIn(): Promise<void>;
 }
 
-/** What a pointer can do besides grabbing leaves and boards. It outlives every binding; each part is set once it is loaded. */
+/**
+ * What a pointer can do besides grabbing leaves and boards. It outlives every binding; each part is
+ * set once what does it is loaded.
+ */
 export interface DragTargets {
   /** The fold-outs, where they can be opened. */
   foldOut: FoldOutSheets | null;

@@ -39,9 +39,9 @@ export interface FrameParts {
 
 /** Draws the frames of one viewer. */
 export class FrameLoop {
-  /** Whether the open pages are seen elsewhere, or something moves. */
+  /** For listeners to views of the book at rest, by the open spread and where it is seen; "" while anything moves. */
   readonly viewHistory: ViewHistory = new ViewHistory();
-  /** Whether they are seen elsewhere while nothing but the camera moves. */
+  /** The same, with views while only the camera moves. */
   readonly stillHistory: ViewHistory = new ViewHistory();
   readonly #parts: FrameParts;
   readonly #frameQuality: FrameQuality;
@@ -71,7 +71,7 @@ export class FrameLoop {
     return this.#frame !== 0;
   }
 
-  /** Whether fingers move the view: none sharper is drawn between the frames that they ask for. */
+  /** Whether fingers move the view: the frames that they ask for are drawn as in motion, and none between. */
   set handled(handled: boolean) {
     this.#handled = handled;
     this.request();
