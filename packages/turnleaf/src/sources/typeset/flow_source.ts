@@ -27,7 +27,7 @@ import { idle } from "./idle.ts";
 import type { LaidChapter } from "./laid_chapter.ts";
 import { Narrator } from "./narrator.ts";
 import { NumberedPages } from "./numbered_pages.ts";
-import { firstRead, openingRead, SectionLengths } from "./page_estimate.ts";
+import { firstRead, mostOff, openingRead, SectionLengths } from "./page_estimate.ts";
 import { leafOf, mayFace, paperback } from "./page_measures.ts";
 import type { SectionPage } from "./page_numbers.ts";
 import { RunningHeads } from "./running_heads.ts";
@@ -48,9 +48,6 @@ const nearSections = 3;
 
 /** Milliseconds after which a section is laid out for its number of pages, even where there is no rest. */
 const longestWait = 300;
-
-/** The fraction by which the shown number of pages may be off before it is corrected while pages are counted. */
-const mostOff = 0.05;
 
 /** Drawn pages whose numbers are known: more than are kept as pictures. */
 const mostDrawn = 200;
