@@ -159,7 +159,7 @@ mod tests {
         let mut curled = surface.clone();
         let points = curled.positions.as_chunks_mut::<3>().0;
         let (fold, level, radius) = (0.6 * 0.14, 0.025, 0.002);
-        for (point, [u, v]) in points.iter_mut().zip(mesh.places.as_chunks::<2>().0) {
+        for (point, [u, v]) in points.iter_mut().zip(&mesh.places) {
             let [x, y] = [u * 0.14, v * 0.21];
             let beyond = x - fold;
             let around = ((beyond - level) / radius).clamp(0.0, core::f32::consts::PI);
