@@ -77,10 +77,11 @@ export class Riffle {
   /** The bytes of what is drawn now: of each leaf in flight its positions and its normals. */
   *drawn() {
     const [engine, book] = [this.#engine, this.#book];
-    const length = 3 * 4 * engine.tl_book_columns(book) * engine.tl_book_rows(book);
     for (let index = 0; index < engine.tl_book_flights(book); index++) {
-      for (const of of [engine.tl_book_positions, engine.tl_book_normals]) {
-        yield new Uint8Array(engine.memory.buffer, of(book, index), length);
+      const record = new Uint32Array(engine.memory.buffer, engine.tl_book_surface(book, index), 4);
+      const [columns, rows, ...addresses] = record;
+      for (const at of addresses) {
+        yield new Uint8Array(engine.memory.buffer, at, 3 * 4 * columns * rows);
       }
     }
   }

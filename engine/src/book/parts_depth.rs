@@ -1,10 +1,8 @@
 //! How deep the parts of a creased sheet are drawn in each other, for tests.
 
-use super::creased_mesh::CreasedMesh;
-use crate::contact::flaps::{add_facing, facing_of};
 use crate::models::sheet::FoldLine;
+use crate::paper_mesh::PaperMesh;
 use crate::surface::Surface;
-use crate::triangle::area_normal;
 use crate::vector::{cross, dot, sub, unit};
 
 /// Farther off each other than this, metres, parts of a leaf that lies are not looked at.
@@ -15,9 +13,9 @@ const REACH: f32 = 0.03;
 
 /// The deepest that a drawn point of one part of a sheet is in a triangle of another, metres.
 /// `creases` are those of the sheet.
-pub(super) fn depth_of_parts(surface: &Surface, mesh: &CreasedMesh, creases: &[FoldLine]) -> f32 {
+pub(super) fn depth_of_parts(surface: &Surface, mesh: &PaperMesh, creases: &[FoldLine]) -> f32 {
     let points = surface.positions.as_chunks::<3>().0;
-    let corners = mesh.triangles.as_chunks::<3>().0;
+    let corners = &mesh.triangles;
     let mut parts: Vec<Option<Option<u16>>> = vec![None; points.len()];
     for (corners, part) in corners.iter().zip(&mesh.parts) {
         for corner in corners {
@@ -27,30 +25,26 @@ pub(super) fn depth_of_parts(surface: &Surface, mesh: &CreasedMesh, creases: &[F
             }
         }
     }
-    let mut facing = Vec::new();
-    for (corners, part) in corners.iter().zip(&mesh.parts) {
-        let normal = area_normal(corners.map(|corner| points[corner as usize]));
-        add_facing(&mut facing, *part, normal);
-    }
     let mut deepest: f32 = 0.0;
-    for (point, own) in points.iter().zip(parts.iter().map(|part| part.flatten())) {
+    let normals = surface.normals.as_chunks::<3>().0;
+    let parts = parts.iter().map(|part| part.flatten());
+    for ((point, faces), own) in points.iter().zip(normals).zip(parts) {
         let Some(own) = own else { continue };
         for (corners, part) in corners.iter().zip(&mesh.parts) {
             if *part == own {
                 continue;
             }
             let between = (part ^ own).trailing_zeros() as usize;
-            // What is folded twice, and faces as the page does, lies in it with its other side.
-            let is_alike = dot(facing_of(&facing, own), facing_of(&facing, *part)) > 0.0;
-            let is_beyond = own & !part == 0 && (part & !own).count_ones() > 1;
-            let turned = if is_beyond && is_alike { -1.0 } else { 1.0 };
-            let side = turned * creases[between].rest.signum() as f32;
             let [a, b, c] = corners.map(|corner| points[corner as usize]);
             if dot(sub(*point, a), sub(*point, a)) > REACH * REACH {
                 continue;
             }
             let (u, v, away) = (sub(b, a), sub(c, a), sub(*point, a));
             let across = cross(u, v);
+            // What is folded over, and faces as what it lies upon does, lies on it with its other side.
+            let is_turned = own & !part == 0 && dot(*faces, across) > 0.0;
+            let turned = if is_turned { -1.0 } else { 1.0 };
+            let side = turned * creases[between].rest.signum() as f32;
             let height = side * dot(away, unit(across));
             if height.abs() > NEAR {
                 continue;

@@ -206,10 +206,10 @@ impl Flaps {
         }
     }
 
-    /// The side of a triangle's part on which another part lies, 1 for the recto's or -1, and
+    /// The side of a triangle on which a node of another part lies, 1 for the recto's or -1, and
     /// how deep that may be in it, metres, and still be brought out of it: what is folded over
-    /// by more than a right angle is there, and nothing else. `is_alike` says that the rectos of
-    /// both face the same way.
+    /// by more than a right angle is there, and nothing else. `is_alike` says that the recto of the
+    /// triangle faces the same way as that of the part at the node.
     fn side_of(&self, under: u16, part: u16, is_alike: bool) -> (f32, f32) {
         // The first crease between the two says on which, as seen from the spine: where both
         // are flaps, neither beyond the other's crease, the second lies upon the first.
@@ -221,30 +221,31 @@ impl Flaps {
         let [own, other] = [part & !under, under & !part].map(first);
         let crease = other.or(own);
         let rest = crease.map_or(0.0, |crease| self.creases[crease].1);
-        let is_upon_flap = own.is_some() && other.is_some() && own > other;
-        // What is folded over twice is on either side of what it lies upon by how far: a letter's
-        // end stands with its recto toward the page and lies in it with its verso.
-        let is_turned_back = own.is_none() && (under & !part).count_ones() > 1 && is_alike;
-        let side = if (rest > 0.0) != (is_upon_flap || is_turned_back) {
-            1.0
-        } else {
-            -1.0
+        // What is folded over lies on one side of what it is folded onto, and that on either face
+        // of what is folded over, by how this is turned there: a letter's end stands with its recto
+        // toward the page and lies in it with its verso, and limp paper curls.
+        let is_turned = match (own, other) {
+            (Some(own), Some(other)) => (own > other) == is_alike,
+            (None, _) => is_alike,
+            (Some(_), None) => false,
         };
+        let side = if (rest > 0.0) != is_turned { 1.0 } else { -1.0 };
         let is_over = rest.abs() > core::f32::consts::FRAC_PI_2;
         (side, if is_over { CURLED } else { DEEPEST })
     }
 
-    /// The way that the recto of each part faces, by parts; none where no part is folded over
-    /// more than once, as nothing depends on it.
-    fn facing(&self, points: &[[f32; 3]]) -> Vec<(u16, [f32; 3])> {
-        let mut found: Vec<(u16, [f32; 3])> = Vec::new();
-        if !self.overlap() {
-            return found;
-        }
+    /// The way that the recto faces at each node, and at none that is on a crease.
+    fn facing(&self, points: &[[f32; 3]]) -> Vec<[f32; 3]> {
+        let mut facing = vec![[0.0f32; 3]; points.len()];
         for triangle in &self.triangles {
-            add_facing(&mut found, triangle.part, triangle.normal(points));
+            let normal = triangle.normal(points);
+            for node in triangle.nodes {
+                for axis in 0..3 {
+                    facing[node][axis] += normal[axis];
+                }
+            }
         }
-        found
+        facing
     }
 
     /// Has parts of a sheet, the one that these are of, kept off each other in its next
@@ -256,9 +257,9 @@ impl Flaps {
         sheet.touch(self.touching(points, velocities, seconds));
     }
 
-    /// The side of a drawn triangle's part on which another part lies, 1 for that of its normal or
-    /// -1; None where the first crease between them is not folded by more than a right angle: it
-    /// may be on either. `is_alike` says that the rectos of both face the same way.
+    /// The side of a drawn triangle on which a point of another part lies, 1 for that of its normal
+    /// or -1; None where the first crease between them is not folded by more than a right angle: it
+    /// may be on either. `is_alike` says that the normals of both are along each other.
     pub fn drawn_side(&self, under: u16, part: u16, is_alike: bool) -> Option<f32> {
         let (side, deepest) = self.side_of(under, part, is_alike);
         (deepest == CURLED).then_some(side)
@@ -279,7 +280,6 @@ impl Flaps {
             let Some(part) = *part else { continue };
             let point = points[node];
             let first = found.len();
-            let faces = facing_of(&facing, part);
             for other in &self.triangles {
                 let away = sub(point, points[other.nodes[0]]);
                 let speed = sub(velocities[node], velocities[other.nodes[0]]);
@@ -288,7 +288,7 @@ impl Flaps {
                 if other.part == part || dot(away, away) > reach * reach {
                     continue;
                 }
-                let is_alike = dot(faces, facing_of(&facing, other.part)) > 0.0;
+                let is_alike = dot(facing[node], other.normal(points)) > 0.0;
                 let (side, deepest) = self.side_of(other.part, part, is_alike);
                 let mut touching = Touching {
                     node,
@@ -319,24 +319,6 @@ impl Flaps {
         }
         found.into_iter().map(|(touching, ..)| touching).collect()
     }
-}
-
-/// Adds the normal of a triangle to those of its part.
-pub fn add_facing(facing: &mut Vec<(u16, [f32; 3])>, part: u16, normal: [f32; 3]) {
-    let known = facing.iter().position(|(of, _)| *of == part);
-    let at = known.unwrap_or_else(|| {
-        facing.push((part, [0.0; 3]));
-        facing.len() - 1
-    });
-    for (sum, x) in facing[at].1.iter_mut().zip(normal) {
-        *sum += x;
-    }
-}
-
-/// The sum of the normals of a part; 0 where it has none.
-pub fn facing_of(facing: &[(u16, [f32; 3])], part: u16) -> [f32; 3] {
-    let known = facing.iter().find(|(of, _)| *of == part);
-    known.map_or([0.0; 3], |(_, normal)| *normal)
 }
 
 #[cfg(test)]
@@ -387,8 +369,8 @@ mod tests {
                     if dot(level, level) > 1e-4 || !(1e-3..0.03).contains(&height.abs()) {
                         continue;
                     }
-                    let [own, beside] = [part, other.part].map(|of| facing_of(&facing, of));
-                    let side = flaps.drawn_side(other.part, part, dot(own, beside) > 0.0);
+                    let is_alike = dot(facing[node], normal) > 0.0;
+                    let side = flaps.drawn_side(other.part, part, is_alike);
                     assert_eq!(
                         side,
                         Some(height.signum()),

@@ -10,10 +10,11 @@
 //! looked at that are near a block of another part and not on their side of all its triangles.
 
 use super::aabb::Aabb;
-use super::flaps::{Flaps, add_facing, facing_of};
+use super::flaps::Flaps;
 use super::tolerance::{NOT_UPON, OVER_PILE, SLACK};
 use super::work::Work;
 use crate::grid::{cells, cut_cell};
+use crate::paper_mesh::PaperMesh;
 use crate::surface::Surface;
 use crate::triangle::{BESIDE, Triangle, area_normal};
 use crate::vector::{dot, unit};
@@ -52,8 +53,6 @@ pub struct DrawnParts {
     /// Where the points were when they were looked at last; empty where they never were.
     seen: Vec<[f32; 3]>,
     columns: usize,
-    /// Whether any part is folded over more than once.
-    has_overlap: bool,
 }
 
 /// Triangles of one part that are near each other.
@@ -75,11 +74,13 @@ pub struct Block {
 }
 
 /// A block of another part that points may overlap, and on which side of it they lie, 1 that of
-/// its normals or -1.
+/// its slab's normal or -1.
 #[derive(Clone, Copy, Debug)]
 struct Pair {
     under: usize,
     side: f32,
+    /// Whether they lie on the other side of triangles that do not face as their block does.
+    by_facing: bool,
 }
 
 /// Two parallel planes between which triangles lie, as far beyond their sides as points still
@@ -271,7 +272,6 @@ impl DrawnParts {
         }
         DrawnParts {
             points: homes,
-            has_overlap: blocks.iter().any(|block| block.part.count_ones() > 1),
             triangles,
             corners,
             own_points,
@@ -281,6 +281,12 @@ impl DrawnParts {
             seen: Vec::new(),
             columns,
         }
+    }
+
+    /// Those of a mesh with so many columns.
+    pub fn of(mesh: &PaperMesh, columns: usize) -> DrawnParts {
+        let triangles: Vec<_> = mesh.parted_triangles().collect();
+        DrawnParts::new(columns, mesh.places.len(), &triangles)
     }
 
     /// The one part of a whole leaf's mesh of so many columns and rows.
@@ -316,8 +322,8 @@ impl DrawnParts {
 
     /// Moves parts out of each other that overlap, in so many rounds at most, and in one where no
     /// work is left; returns whether any did in the last. `side` says on which side of a triangle of a
-    /// part another lies, 1 that of its normal or -1, if the normals of both are along each other
-    /// or not; None where it may lie on either. Lengths are those of a page 0.14 m wide; its own
+    /// part a point of another lies, 1 that of its normal or -1, if the normals of both are along each
+    /// other or not; None where it may lie on either. Lengths are those of a page 0.14 m wide; its own
     /// is wider by `scale`. Only what has moved since it was looked at last is looked at.
     pub fn separate(
         &mut self,
@@ -353,8 +359,16 @@ impl DrawnParts {
                         continue;
                     }
                     work.spend(TRIANGLE * block.triangles.len() as u32);
+                    let curled = block
+                        .slab
+                        .as_ref()
+                        .filter(|slab| pair.by_facing && !slab.is_even);
                     for corners in &self.triangles[block.triangles.clone()] {
-                        let found = overlap(points, node, *corners, pair.side, scale);
+                        let along = curled.map_or(1.0, |slab| {
+                            let normal = area_normal(corners.map(|corner| points[corner]));
+                            dot(normal, slab.normal).signum()
+                        });
+                        let found = overlap(points, node, *corners, along * pair.side, scale);
                         let is_nearer = |found: &Overlap| {
                             under
                                 .as_ref()
@@ -402,48 +416,48 @@ impl DrawnParts {
         for block in &mut self.blocks {
             block.bound(points, &self.corners);
         }
-        let facing = self.facing(points);
         self.pairs.clear();
         for home in 0..self.blocks.len() {
             let Block { part, bounds, .. } = self.blocks[home];
             let start = self.pairs.len();
-            for (under, block) in self.blocks.iter_mut().enumerate() {
+            for under in 0..self.blocks.len() {
+                let block = &self.blocks[under];
                 if block.part == part
                     || !(has_moved[home] || has_moved[under])
                     || !block.is_near(&bounds, NOT_UPON * scale)
                 {
                     continue;
                 }
-                let [own, other] = [part, block.part].map(|part| facing_of(&facing, part));
-                let Some(side) = side(block.part, part, dot(own, other) > 0.0) else {
+                let of_part = block.part;
+                let [Some(alike), Some(opposed)] =
+                    [true, false].map(|is_alike| side(of_part, part, is_alike))
+                else {
                     continue;
                 };
-                let triangles = &self.triangles[block.triangles.clone()];
-                block
-                    .slab
-                    .get_or_insert_with(|| Slab::around(points, triangles));
-                if may_overlap(block, &bounds, side, scale) {
-                    self.pairs.push(Pair { under, side });
+                let [own, other] = [home, under].map(|block| self.normal_of(block, points));
+                let side = if dot(own, other) > 0.0 {
+                    alike
+                } else {
+                    opposed
+                };
+                if may_overlap(&self.blocks[under], &bounds, side, scale) {
+                    self.pairs.push(Pair {
+                        under,
+                        side,
+                        by_facing: alike != opposed,
+                    });
                 }
             }
             self.blocks[home].pairs = start..self.pairs.len();
         }
     }
 
-    /// The way that the normals of each part are, by parts; none where no part is folded over
-    /// more than once, as nothing depends on it.
-    fn facing(&self, points: &[[f32; 3]]) -> Vec<(u16, [f32; 3])> {
-        let mut found = Vec::new();
-        if !self.has_overlap {
-            return found;
-        }
-        for block in &self.blocks {
-            for corners in &self.triangles[block.triangles.clone()] {
-                let normal = area_normal(corners.map(|corner| points[corner]));
-                add_facing(&mut found, block.part, normal);
-            }
-        }
-        found
+    /// The mean normal of a block.
+    fn normal_of(&mut self, block: usize, points: &[[f32; 3]]) -> [f32; 3] {
+        let block = &mut self.blocks[block];
+        let triangles = &self.triangles[block.triangles.clone()];
+        let slab = { &mut block.slab }.get_or_insert_with(|| Slab::around(points, triangles));
+        slab.normal
     }
 
     fn push_apart(&self, points: &mut [[f32; 3]], node: usize, overlap: &Overlap) {

@@ -18,6 +18,7 @@ import {
 } from "../strip_pages.ts";
 import { WarningList, warningOf } from "../warnings.ts";
 import { type ComicInfo, noInfo, readComicInfo } from "./comic_info.ts";
+import { withDigits } from "./written_numbers.ts";
 
 /** Returns whether a name says that a file is an image. */
 const isImageName = (name: string): boolean => formatOfName(name)?.kind === "image";
@@ -73,6 +74,7 @@ export async function openComic(archive: Archive, file: Blob, name: string): Pro
     const info = await readInfo(archive, (path) => {
       warnings.add(warningOf("contents", path, name));
     });
+    await checkReadable(archive, files);
     const scans = coverFirst(await measureAll(archive, files, info, name));
     const { format, images } = await layOutStrips(scans.map(stripImageOf));
     const pages: Page[] = [];
@@ -122,6 +124,24 @@ function checkCount(count: number, name: string): void {
 }
 
 /**
+ * Rejects if none of the images in an archive can be read, for one reason: what is protected by a password,
+ * or packed in a way that is not unpacked, is so throughout.
+ */
+async function checkReadable(archive: Archive, files: readonly string[]): Promise<void> {
+  let first: unknown;
+  for (const path of files) {
+    const error = await archive.readStart(path, 1).then(
+      () => null,
+      (reason: unknown) => reason,
+    );
+    const isThroughout = error instanceof BookError && /^(locked|unsupported)$/.test(error.code);
+    if (!isThroughout) return;
+    first ??= error;
+  }
+  throw first;
+}
+
+/**
  * Returns the images in an archive, in the natural order of their paths.
  *
  * @param leftOut called with each other file that is none of those beside images
@@ -140,10 +160,11 @@ async function pagesIn(archive: Archive, leftOut: (path: string) => void): Promi
   return inOrder(images);
 }
 
-/** Returns paths in their natural order: by folders, and by names without their endings. */
+/** Returns paths in their natural order: by folders, and by names without their endings, numbers as they count in any script. */
 export function inOrder(names: readonly string[]): string[] {
   const { compare } = new Intl.Collator("en", { numeric: true });
-  const paths = names.map((name) => ({ name, steps: name.replace(/\.[^./]*$/, "").split("/") }));
+  const stepsOf = (name: string): string[] => withDigits(name.replace(/\.[^./]*$/, "")).split("/");
+  const paths = names.map((name) => ({ name, steps: stepsOf(name) }));
   paths.sort((a, b) => {
     const other = a.steps.findIndex((step, index) => step !== b.steps[index]);
     const order = compare(a.steps[other] ?? "", b.steps[other] ?? "");

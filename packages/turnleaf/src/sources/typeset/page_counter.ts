@@ -12,7 +12,7 @@ import type { FlowWarnings } from "./flow_warnings.ts";
 import { idle } from "./idle.ts";
 import type { LaidChapter } from "./laid_chapter.ts";
 import { NumberedPages } from "./numbered_pages.ts";
-import { firstRead, openingRead, type SectionLengths } from "./page_estimate.ts";
+import { firstRead, mostOff, openingRead, type SectionLengths } from "./page_estimate.ts";
 import type { SectionContents } from "./section_contents.ts";
 import { placeOfAnchor } from "./text_place.ts";
 
@@ -21,9 +21,6 @@ export const nearSections = 3;
 
 /** Milliseconds after which a section is laid out for its number of pages, even where there is no rest. */
 const longestWait = 300;
-
-/** The fraction by which the shown number of pages may be off before it is corrected while pages are counted. */
-const mostOff = 0.05;
 
 /** A book whose pages are counted: what it is laid out from. */
 export interface CountedBook {
