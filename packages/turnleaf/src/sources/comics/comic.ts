@@ -54,10 +54,10 @@ const farHeaderLength = 1 << 20;
 const atOnce = 4;
 
 /**
- * Bytes that files claim which are unpacked to see what they are and how large: those of the largest comic.
- * Of a few bytes there may be any number.
+ * Bytes that files claim which are unpacked to see what they are and how large. A few bytes can stand for any
+ * number; images are about as long as they are packed, and those of larger comics are measured when they are drawn.
  */
-const mostUnpacked = limits.archiveBytes;
+const mostUnpacked = limits.archiveBytes / 2;
 
 /** Bytes of a ComicInfo.xml: some 100 for each page. */
 const infoBytes = 4_000_000;
