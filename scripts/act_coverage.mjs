@@ -112,7 +112,7 @@ try {
     await session.send("Profiler.enable");
     await session.send("Profiler.startPreciseCoverage", { callCount: true, detailed: false });
     const of = `src="${book}" page="5" ${attributes}`;
-    await tab.goto(`${origin}act.html?of=${encodeURIComponent(of)}`);
+    await tab.goto(`${origin}act.html?of=${encodeURIComponent(of)}`, { timeout: patience });
     const settled = () =>
       tab.waitForFunction(() => document.querySelector("turnleaf-book")?.settled, null, {
         polling: 100,

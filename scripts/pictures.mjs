@@ -104,14 +104,16 @@ const pictures = {
   },
   "tear-out-folded": {
     ...besideCalendar,
+    shown: { margin: 0.2 },
     strip: {
       act: foldAndTearOut,
-      after: [300, 120, 160, 420],
-      clip: { x: 400, y: 0, width: 700, height: 480 },
+      after: [16, 144, 200, 900],
+      clip: { x: 440, y: 0, width: 660, height: 480 },
     },
   },
   "tear-bent": {
     ...besideCalendar,
+    shown: { margin: 0.2 },
     strip: {
       act: tearOutAndHold,
       move: swingApart,
@@ -200,17 +202,30 @@ async function tearOutAndAcross(page) {
   });
 }
 
+/** Has the clock go on until a command of the book, by its name and arguments, is done: what it needs is loaded in real time. */
+async function carriedOut(page, command, ...how) {
+  await page.evaluate(
+    ([command, how]) => {
+      window.isDone = false;
+      const done = () => {
+        window.isDone = true;
+      };
+      document
+        .querySelector("turnleaf-book")
+        [command](...how)
+        .then(done);
+    },
+    [command, how],
+  );
+  while (!(await page.evaluate(() => window.isDone))) {
+    await page.evaluate(() => window.clock.pass(100));
+    await page.waitForTimeout(100);
+  }
+}
+
 /** Folds the right page in two, then tears it out. */
 async function foldAndTearOut(page) {
-  await page.evaluate(
-    () =>
-      void document.querySelector("turnleaf-book").fold(1, { x: 0, y: 0.6 }, { x: 1, y: 0.6 }, 160),
-  );
-  // What folds pages is loaded, then the page is folded and comes to rest.
-  for (let k = 0; k < 8; k++) {
-    await page.waitForTimeout(500);
-    await page.evaluate(() => window.clock.pass(400));
-  }
+  await carriedOut(page, "fold", 1, { x: 0, y: 0.6 }, { x: 1, y: 0.6 }, 160);
   await tearOut(page);
 }
 
@@ -232,14 +247,14 @@ async function tearOutAndHold(page) {
     };
     // The sheet lies askew, and that edge with it.
     window.fingersAt = (away, degrees) => {
-      const angle = ((111 + degrees) * Math.PI) / 180;
+      const angle = ((117 + degrees) * Math.PI) / 180;
       const [x, y] = [away * Math.cos(angle), away * Math.sin(angle)];
       return [
         [945 - x, 221 - y],
         [945 + x, 221 + y],
       ];
     };
-    window.fingers("pointerdown", window.fingersAt(70, 0));
+    window.fingers("pointerdown", window.fingersAt(50, 0));
   });
 }
 
@@ -249,28 +264,19 @@ async function swingApart(page, k) {
     for (let frame = 1; frame <= 16; frame++) {
       const part = (16 * k + frame) / 48;
       // Torn through, each brings its piece back beside the other's.
-      const places = k < 3 ? [70 + 260 * part, 50 * part] : [330 - 14 * frame, 50];
+      const places = k < 3 ? [50 + 190 * part, 50 * part] : [240 - 10 * frame, 50];
       window.fingers("pointermove", window.fingersAt(...places));
       window.clock.pass(1000 / 60);
     }
-    if (k === 3) window.fingers("pointerup", window.fingersAt(106, 50));
+    if (k === 3) window.fingers("pointerup", window.fingersAt(80, 50));
   }, k);
 }
 
 /** Draws the foot corner of the right page in over it. */
 async function drawCornerIn(page, { width, height }) {
   // What folds pages is loaded, and the book bound by it, before the corner is grabbed.
-  for (const change of ["dogEar", "unfold"]) {
-    await page.evaluate(
-      (change) => void document.querySelector("turnleaf-book")[change](2),
-      change,
-    );
-    for (let k = 0; k < 4; k++) {
-      await page.waitForTimeout(500);
-      await page.evaluate(() => window.clock.pass(100));
-    }
-  }
-  const [x0, y0, x1, y1] = [0.812, 0.905, 0.755, 0.81];
+  for (const command of ["dogEar", "unfold"]) await carriedOut(page, command, 2);
+  const [x0, y0, x1, y1] = [0.855, 0.928, 0.798, 0.833];
   await page.mouse.move(x0 * width, y0 * height);
   await page.mouse.down();
   for (let k = 1; k <= 12; k++) {

@@ -33,7 +33,6 @@ mod band;
 pub mod book;
 mod contact;
 mod creased_only;
-mod drawn_mesh;
 mod gesture;
 mod grab;
 mod grid;
@@ -43,6 +42,7 @@ mod key_frames;
 mod lanes;
 mod loose;
 mod models;
+mod paper_mesh;
 #[cfg(test)]
 mod random;
 mod real;
@@ -56,7 +56,6 @@ mod turn;
 mod vector;
 
 pub use air::Air;
-pub use drawn_mesh::DrawnMesh;
 pub use gesture::{Gesture, Grip};
 pub use grid::Side;
 pub use hash::BitHash;
@@ -78,6 +77,7 @@ pub use models::shell::{
     Crease, Discretisation, Edge, Energies, HalfSpace, InvalidShell, MeshEnergies, MeshSettings,
     MeshShell, Scheme, Shell, ShellSettings, Table,
 };
+pub use paper_mesh::PaperMesh;
 pub use rigidity::Rigidity;
 pub use stock::{GRAVITY, Grain, InvalidStock, Stock};
 pub use surface::{StrainRange, Surface};

@@ -7,9 +7,9 @@ use std::fs;
 use std::path::PathBuf;
 
 use turnleaf_engine::{
-    BitHash, Blend, Condensed, DrawnMesh, FrameKind, Gesture, KeyFrameError, KeyFrames, LooseLeaf,
-    LooseSettings, MassSpring, ModelKind, Replay, Settings, Shape, Side, Stock, Surface, TurnModel,
-    uniform_samples,
+    BitHash, Blend, Condensed, FrameKind, Gesture, KeyFrameError, KeyFrames, LooseLeaf,
+    LooseSettings, MassSpring, ModelKind, PaperMesh, Replay, Settings, Shape, Side, Stock, Surface,
+    TurnModel, uniform_samples,
 };
 
 const PAGE: [f32; 2] = [0.14, 0.21];
@@ -47,7 +47,7 @@ fn condensed(tolerance: f32) -> (KeyFrames, Condensed) {
 }
 
 /// A corner that is folded over in 0.4 s, at 60 Hz, and how what is drawn of it lies on the paper.
-fn fold_recording() -> (KeyFrames, DrawnMesh) {
+fn fold_recording() -> (KeyFrames, PaperMesh) {
     let page = PAGE.map(f64::from);
     let settings = LooseSettings {
         samples: [9, 9],
@@ -65,7 +65,7 @@ fn fold_recording() -> (KeyFrames, DrawnMesh) {
         leaf.write_surface(&mut surface);
         frames.take(leaf.time(), &surface);
     }
-    (frames, leaf.drawn_mesh().unwrap())
+    (frames, leaf.paper_mesh().unwrap())
 }
 
 fn condensed_fold() -> Condensed {

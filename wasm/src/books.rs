@@ -7,6 +7,7 @@
 use turnleaf_engine::book::{Book, Paper, Phase, TICK};
 use turnleaf_engine::{Grain, Side, Stock};
 
+use crate::drawn::{Drawn, drawn};
 use crate::live::{Live, Nothing};
 use crate::side;
 
@@ -177,10 +178,12 @@ book_functions! {
     fn tl_book_layers(_book) -> usize { turnleaf_engine::book::LAYERS }
     /// u of each column, f32.
     fn tl_book_u(book) -> *const f32 { book.columns().as_ptr() }
-    /// Positions of a flight's surface, f32 x, y, z; by its index from the left. 0 where
-    /// there is none.
-    fn tl_book_positions(book, index: usize) -> *const f32 {
-        book.surface(index).map_or(core::ptr::null(), |s| s.positions.as_ptr())
+    /// What is drawn of a flight, by its index from the left; 0 where there is none.
+    fn tl_book_surface(book, index: usize) -> *const Drawn {
+        book.surface(index).map_or(core::ptr::null(), |surface| {
+            let caliper = book.caliper(index).unwrap_or(0.0);
+            drawn(surface, book.paper_mesh(index), caliper)
+        })
     }
     /// Points of a flight over a flat table, to be written over before the next update:
     /// that draws them in place of the sheet, unless one is not within 1 km. 0 where there
@@ -188,15 +191,6 @@ book_functions! {
     fn tl_book_dress(book, index: usize) -> *mut f32 {
         book.override_surface(index).map_or(core::ptr::null_mut(), |points| points.as_mut_ptr())
     }
-    /// Normals of a flight's surface, f32 x, y, z; 0 where there is none.
-    fn tl_book_normals(book, index: usize) -> *const f32 {
-        book.surface(index).map_or(core::ptr::null(), |s| s.normals.as_ptr())
-    }
-    /// Version of a flight's surface; 0 where there is none.
-    fn tl_book_version(book, index: usize) -> u32 { book.surface(index).map_or(0, |s| s.version) }
-    /// Thickness of the leaf of a flight, metres, by its index from the left; 0 where there is
-    /// none.
-    fn tl_book_caliper(book, index: usize) -> f32 { book.caliper(index).unwrap_or(0.0) }
     /// Curves of the pile on a side, f32 x, z.
     fn tl_book_pile(book, on: u32) -> *const f32 { book.pile(side(on)).curves().as_ptr() }
     /// A hand holds a board (0 the front, any other number the back) at an angle, radians,

@@ -1,7 +1,7 @@
 //! Books whose leaves can be creased: what the viewer calls beside the functions of all books.
 
 use turnleaf_engine::FoldLine;
-use turnleaf_engine::book::{Book, CreasedMesh};
+use turnleaf_engine::book::Book;
 
 use crate::books::{BOOKS, book_functions};
 use crate::live::Nothing;
@@ -49,26 +49,4 @@ book_functions! {
     /// Whether a creased leaf lies upon the pile of a side: the first of those drawn on the
     /// left, the last on the right.
     fn tl_book_lies_creased(book, on: u32) -> u32 { book.lies_creased(side(on)).into() }
-    /// Leaves drawn by themselves: in flight, and creased upon a pile.
-    fn tl_book_drawn(book) -> usize { book.drawn_leaves() }
-    /// u and v of the points of the leaf at an index, f32; 0 where it is not creased.
-    fn tl_book_places(book, index: usize) -> *const f32 {
-        book.creased_mesh(index).map_or(core::ptr::null(), |mesh: &CreasedMesh| mesh.places.as_ptr())
-    }
-    /// The points of its triangles, u32, three by three; and the part of the leaf that each
-    /// belongs to, u16: as many as `tl_book_triangles` says.
-    fn tl_book_corners(book, index: usize) -> *const u32 {
-        book.creased_mesh(index).map_or(core::ptr::null(), |mesh| mesh.triangles.as_ptr())
-    }
-    fn tl_book_parts(book, index: usize) -> *const u16 {
-        book.creased_mesh(index).map_or(core::ptr::null(), |mesh| mesh.parts.as_ptr())
-    }
-    /// Number of its triangles.
-    fn tl_book_triangles(book, index: usize) -> usize {
-        book.creased_mesh(index).map_or(0, |mesh| mesh.parts.len())
-    }
-    /// Rises when the mesh of the leaf at an index changes; 0 where there is none.
-    fn tl_book_topology(book, index: usize) -> u32 {
-        book.surface(index).map_or(0, |surface| surface.topology)
-    }
 }

@@ -6,6 +6,7 @@
 use turnleaf_engine::book::{Book, FlapPlace, FoldOut, TableAround};
 
 use crate::books::{BOOKS, MOST_TICKS};
+use crate::drawn::{Drawn, drawn};
 use crate::live::{Live, live_functions};
 use crate::side;
 
@@ -75,21 +76,8 @@ live_functions! {
     fn tl_flap_angle(flap) -> f32 { flap.angle() }
     /// Whether it does not move until the next command.
     fn tl_flap_asleep(flap) -> u32 { flap.is_asleep().into() }
-    /// x, y, z and normals of its points, f32, at its book's columns and rows; its version.
-    fn tl_flap_positions(flap) -> *const f32 { flap.surface().positions.as_ptr() }
-    fn tl_flap_normals(flap) -> *const f32 { flap.surface().normals.as_ptr() }
-    fn tl_flap_version(flap) -> u32 { flap.surface().version }
-    /// As `tl_book_places` and what follows it, of one with several panels; 0 of another.
-    fn tl_flap_places(flap) -> *const f32 {
-        flap.creased_mesh().map_or(core::ptr::null(), |mesh| mesh.places.as_ptr())
+    /// What is drawn of it.
+    fn tl_flap_surface(flap) -> *const Drawn {
+        drawn(flap.surface(), flap.paper_mesh(), flap.caliper())
     }
-    fn tl_flap_corners(flap) -> *const u32 {
-        flap.creased_mesh().map_or(core::ptr::null(), |mesh| mesh.triangles.as_ptr())
-    }
-    fn tl_flap_parts(flap) -> *const u16 {
-        flap.creased_mesh().map_or(core::ptr::null(), |mesh| mesh.parts.as_ptr())
-    }
-    fn tl_flap_triangles(flap) -> usize { flap.creased_mesh().map_or(0, |mesh| mesh.parts.len()) }
-    /// Thickness of its paper, metres.
-    fn tl_flap_caliper(flap) -> f32 { flap.caliper() }
 }

@@ -21,6 +21,8 @@ mod allocator;
 mod books;
 #[cfg(any(feature = "creases", test))]
 mod creases;
+#[cfg(any(feature = "books", feature = "models", test))]
+mod drawn;
 #[cfg(any(feature = "creases", test))]
 mod fold_outs;
 mod live;

@@ -10,10 +10,11 @@
 //! of a book are.
 
 use turnleaf_engine::{
-    Discretisation, DrawnMesh, InvalidLoose, LooseLeaf, LooseSettings, ModelKind, Preset, Stock,
+    Discretisation, InvalidLoose, LooseLeaf, LooseSettings, ModelKind, PaperMesh, Preset, Stock,
     Surface, Synchronise, TurnBy, TurnModel,
 };
 
+use crate::drawn::{Drawn, drawn};
 use crate::live::{Live, Nothing};
 use crate::side;
 
@@ -44,7 +45,7 @@ pub struct Loose {
     creases: [[f64; CREASE_NUMBERS]; MOST_CREASES],
     crease: [f64; 3],
     /// How it is drawn if it is creased.
-    mesh: Option<DrawnMesh>,
+    mesh: Option<PaperMesh>,
 }
 
 /// Why the last leaf could not be made, drawn or creased.
@@ -173,7 +174,7 @@ fn crease(loose: &mut Loose, count: usize) -> bool {
         note(&error);
         return false;
     }
-    loose.mesh = loose.leaf.drawn_mesh();
+    loose.mesh = loose.leaf.paper_mesh();
     true
 }
 
@@ -255,7 +256,7 @@ leaf_functions! {
             note(&error);
             return 0;
         }
-        loose.mesh = loose.leaf.drawn_mesh();
+        loose.mesh = loose.leaf.paper_mesh();
         1
     }
     /// Room for creases of a sheet: for each u, v, u, v of two places on it, 0 to 1, and its rest
@@ -276,20 +277,6 @@ leaf_functions! {
         loose.crease = [state.angle, state.rest, state.moment].map(f64::from);
         loose.crease.as_ptr()
     }
-    /// u and v of the points of a creased leaf's surface, f32; 0 of one without creases.
-    fn tl_leaf_places(loose) -> *const f32 {
-        loose.mesh.as_ref().map_or(core::ptr::null(), |mesh| mesh.places.as_ptr().cast())
-    }
-    /// The points of its triangles, u32, three by three; and the part of the leaf that each
-    /// belongs to, u16: as many as `tl_leaf_triangles` says.
-    fn tl_leaf_corners(loose) -> *const u32 {
-        loose.mesh.as_ref().map_or(core::ptr::null(), |mesh| mesh.triangles.as_ptr().cast())
-    }
-    fn tl_leaf_parts(loose) -> *const u16 {
-        loose.mesh.as_ref().map_or(core::ptr::null(), |mesh| mesh.parts.as_ptr())
-    }
-    /// Number of its triangles.
-    fn tl_leaf_triangles(loose) -> usize { loose.mesh.as_ref().map_or(0, |mesh| mesh.parts.len()) }
     /// Starts a turn (0 edge, 2 corner let go half-way, any other corner) from a side, of
     /// 0.01 to 3600 seconds or the nearer of these; of 0.01 where they are no number.
     fn tl_leaf_play(loose, by: u32, from: u32, seconds: f32) {
@@ -314,14 +301,8 @@ leaf_functions! {
     fn tl_leaf_time(loose) -> f32 { loose.leaf.time() }
     /// Brings surface, normals and nodes up to date.
     fn tl_leaf_update(loose) { update(loose) }
-    /// Points along a row of the surface.
-    fn tl_leaf_columns(loose) -> usize { loose.surface.columns }
-    /// Rows of the surface.
-    fn tl_leaf_rows(loose) -> usize { loose.surface.rows }
-    /// Points of the surface, f32 x, y, z.
-    fn tl_leaf_positions(loose) -> *const f32 { loose.surface.positions.as_ptr() }
-    /// Their normals, f32 x, y, z.
-    fn tl_leaf_normals(loose) -> *const f32 { loose.surface.normals.as_ptr() }
+    /// What is drawn of it; its paper is drawn as if it had no thickness.
+    fn tl_leaf_surface(loose) -> *const Drawn { drawn(&loose.surface, loose.mesh.as_ref(), 0.0) }
     /// Columns of nodes.
     fn tl_leaf_node_columns(loose) -> usize { loose.leaf.grid_size().0 }
     /// Rows of nodes.

@@ -157,11 +157,9 @@ unsafe fn any_call(random: &mut Random, book: *mut Book) {
                 tl_book_update(book);
             }
             18 => {
-                assert_eq!(
-                    tl_book_positions(book, index).is_null(),
-                    index >= tl_book_flights(book)
-                );
-                tl_book_version(book, index);
+                let surface = tl_book_surface(book, index);
+                assert_eq!(surface.is_null(), index >= tl_book_flights(book));
+                assert!(surface.is_null() || (*surface).caliper > 0.0);
             }
             19 => tl_board_hold(book, r.whole(2), r.single(0.0, 3.2)),
             20 => tl_board_play(book, r.whole(2), r.whole(2), r.single(0.05, 2.0)),
@@ -177,10 +175,6 @@ unsafe fn any_call(random: &mut Random, book: *mut Book) {
             }
             23 => {
                 assert!(tl_book_asleep(book) < 2);
-                assert_eq!(
-                    tl_book_caliper(book, index) == 0.0,
-                    index >= tl_book_flights(book)
-                );
             }
             _ => {
                 tl_board_release(book, r.whole(2));
@@ -317,13 +311,13 @@ fn a_handle_that_is_none_does_nothing() {
             tl_book_lay(none, 3);
             assert_eq!(tl_book_lift(none, 0, 0, 1), 0);
             assert_eq!(tl_book_flights(none), 0);
-            assert!(tl_book_positions(none, 0).is_null());
+            assert!(tl_book_surface(none, 0).is_null());
             assert!(tl_book_u(none).is_null());
             assert_eq!(tl_board_angle(none, 0), 0.0);
             let leaf = none.cast::<models::Loose>();
             models::tl_leaf_drop(leaf);
             models::tl_leaf_advance(leaf, 1.0);
-            assert!(models::tl_leaf_positions(leaf).is_null());
+            assert!(models::tl_leaf_surface(leaf).is_null());
             assert!(models::tl_leaf_new(none.cast()).is_null());
             trials::tl_bench_steps(none.cast(), 5, 1);
             assert_eq!(trials::tl_bench_sheet_drop(none.cast()), 0.0);
@@ -385,17 +379,18 @@ fn a_torn_leaf_takes_any_number() {
                     let mut numbers = surface.positions.iter().chain(&surface.normals);
                     assert!(numbers.all(|x| x.is_finite()));
                     assert!(tl_torn_bound_low(leaf) <= tl_torn_bound_high(leaf));
-                    assert!(tl_torn_caliper(leaf) > 0.0);
                     assert!(tl_torn_opened(leaf) >= 0.0);
-                    let points = torn.mesh().places.len();
-                    assert!(points == 0 || 3 * points == surface.positions.len());
+                    let drawn = *tl_torn_surface(leaf);
+                    assert!(drawn.caliper > 0.0);
+                    assert_eq!(drawn.places.is_null(), drawn.triangles == 0);
+                    let points = torn.paper_mesh().map(|mesh| 3 * mesh.places.len());
+                    assert!(points.is_none_or(|points| points == surface.positions.len()));
                 }
             }
             tl_torn_drop(other);
             tl_torn_drop(leaf);
             assert_eq!(tl_torn_asleep(leaf), 0);
-            assert!(tl_torn_positions(leaf).is_null() && tl_torn_normals(leaf).is_null());
-            assert_eq!(tl_torn_version(leaf), 0);
+            assert!(tl_torn_surface(leaf).is_null());
             tl_book_drop(book);
         }
     }
@@ -436,14 +431,14 @@ fn a_flap_takes_any_number() {
                     let surface = alive.surface();
                     let mut numbers = surface.positions.iter().chain(&surface.normals);
                     assert!(numbers.all(|x| x.is_finite()));
-                    assert!(tl_flap_caliper(flap) > 0.0);
+                    let drawn = *tl_flap_surface(flap);
+                    assert!(drawn.caliper > 0.0);
+                    assert_eq!(drawn.places.is_null(), drawn.triangles == 0);
                 }
             }
-            assert_eq!(tl_flap_places(flap).is_null(), tl_flap_triangles(flap) == 0);
             tl_flap_drop(flap);
             assert_eq!(tl_flap_asleep(flap), 0);
-            assert!(tl_flap_positions(flap).is_null() && tl_flap_normals(flap).is_null());
-            assert_eq!(tl_flap_version(flap), 0);
+            assert!(tl_flap_surface(flap).is_null());
             tl_book_drop(book);
         }
     }
@@ -539,8 +534,8 @@ fn a_loose_leaf_takes_any_number() {
                             *tl_leaf_creases(leaf).add(at) = number;
                         }
                         creased += u32::from(tl_leaf_crease(leaf, count) * count as u32 > 0);
-                        let triangles = tl_leaf_triangles(leaf);
-                        assert_eq!(tl_leaf_places(leaf).is_null(), triangles == 0);
+                        let drawn = *tl_leaf_surface(leaf);
+                        assert_eq!(drawn.places.is_null(), drawn.triangles == 0);
                     }
                     9 => tl_leaf_press(leaf, r.whole(4) as usize, r.single(-3.0, 3.0)),
                     _ => {
@@ -553,10 +548,10 @@ fn a_loose_leaf_takes_any_number() {
                 }
                 tl_leaf_update(leaf);
                 tl_leaf_measure(leaf);
-                let (columns, rows) = (tl_leaf_columns(leaf), tl_leaf_rows(leaf));
-                let drawn =
-                    core::slice::from_raw_parts(tl_leaf_positions(leaf), 3 * columns * rows);
-                assert!(drawn.iter().all(|x| x.is_finite()));
+                let drawn = *tl_leaf_surface(leaf);
+                let count = 3 * drawn.columns * drawn.rows;
+                let points = core::slice::from_raw_parts(drawn.positions, count as usize);
+                assert!(points.iter().all(|x| x.is_finite()));
             }
         }
         // SAFETY: as above.
@@ -637,7 +632,7 @@ fn a_leaf_has_its_own_stock_until_all_have_one() {
         let caliper = |leaf: u32| {
             tl_book_lay(book, leaf);
             tl_book_lift(book, 0, leaf, leaf + 1);
-            tl_book_caliper(book, 0)
+            (*tl_book_surface(book, 0)).caliper
         };
         assert_eq!(tl_book_set_leaf_stock(book, 3, 5, 5), 1);
         assert_eq!([2, 3, 4, 5].map(caliper), [90e-6, 1.6e-3, 1.6e-3, 90e-6]);

@@ -6,6 +6,7 @@
 use turnleaf_engine::book::{Book, TableAround, TearLine, TornLeaf, step_together, wake_upon};
 
 use crate::books::{BOOKS, MOST_TICKS};
+use crate::drawn::{Drawn, drawn};
 use crate::live::{Live, live_functions};
 
 /// The torn leaves that are alive.
@@ -180,43 +181,12 @@ live_functions! {
     /// Its place among loose sheets that were stepped together, from the table up; the greatest
     /// number of one that was not.
     fn tl_torn_layer(leaf) -> u32 { leaf.layer() }
-    /// Of one that is folded or torn across: for each point u, v on its page, f32; the points of
-    /// each triangle, u32; how many of these.
-    fn tl_torn_places(leaf) -> *const f32 {
-        match leaf.folded_mesh() {
-            Some(mesh) => mesh.places.as_ptr(),
-            None => leaf.mesh().places.as_flattened().as_ptr(),
-        }
-    }
-    fn tl_torn_corners(leaf) -> *const u32 {
-        match leaf.folded_mesh() {
-            Some(mesh) => mesh.triangles.as_ptr(),
-            None => leaf.mesh().triangles.as_flattened().as_ptr(),
-        }
-    }
-    fn tl_torn_triangles(leaf) -> usize {
-        leaf.folded_mesh().map_or(leaf.mesh().triangles.len(), |mesh| mesh.parts.len())
-    }
-    /// Of one that is folded, the part that each triangle belongs to, u16; 0 of any other.
-    fn tl_torn_parts(leaf) -> *const u16 {
-        leaf.folded_mesh().map_or(core::ptr::null(), |mesh| mesh.parts.as_ptr())
-    }
-    /// Of one that is torn across, for each point its place by the tear in three numbers
-    /// (`TornMesh`), f32.
-    fn tl_torn_tears(leaf) -> *const f32 { leaf.mesh().tears.as_flattened().as_ptr() }
-    /// Changes whenever the mesh does.
-    fn tl_torn_mesh_version(leaf) -> u32 { leaf.mesh_version() }
     /// Work done in tearing and crumpling since it was last asked for, J.
     fn tl_torn_work(leaf) -> f32 { leaf.take_work() }
     /// Whether it does not move until the next command.
     fn tl_torn_asleep(leaf) -> u32 { leaf.is_asleep().into() }
-    /// Points along a row of its surface and along the spine.
-    fn tl_torn_columns(leaf) -> usize { leaf.surface().columns }
-    fn tl_torn_rows(leaf) -> usize { leaf.surface().rows }
-    /// x, y, z and normals of its points, f32; its version.
-    fn tl_torn_positions(leaf) -> *const f32 { leaf.surface().positions.as_ptr() }
-    fn tl_torn_normals(leaf) -> *const f32 { leaf.surface().normals.as_ptr() }
-    fn tl_torn_version(leaf) -> u32 { leaf.surface().version }
-    /// Thickness of its paper, metres.
-    fn tl_torn_caliper(leaf) -> f32 { leaf.caliper() }
+    /// What is drawn of it.
+    fn tl_torn_surface(leaf) -> *const Drawn {
+        drawn(leaf.surface(), leaf.paper_mesh(), leaf.caliper())
+    }
 }

@@ -5,6 +5,7 @@
  */
 
 import { importTs } from "../../scripts/import_ts.mjs";
+import { drawnOf } from "./drawn.mjs";
 
 const { presetStocks } = await importTs("stocks.ts");
 
@@ -77,10 +78,9 @@ export class Riffle {
   /** The bytes of what is drawn now: of each leaf in flight its positions and its normals. */
   *drawn() {
     const [engine, book] = [this.#engine, this.#book];
-    const length = 3 * 4 * engine.tl_book_columns(book) * engine.tl_book_rows(book);
     for (let index = 0; index < engine.tl_book_flights(book); index++) {
-      for (const of of [engine.tl_book_positions, engine.tl_book_normals]) {
-        yield new Uint8Array(engine.memory.buffer, of(book, index), length);
+      for (const { buffer, byteOffset, byteLength } of drawnOf(engine, book, index)) {
+        yield new Uint8Array(buffer, byteOffset, byteLength);
       }
     }
   }

@@ -35,10 +35,10 @@ fn folded(u: &[f32], degrees: f64) -> Flight {
 /// Writes the leaf of a flight over its paper: up to its fold at one angle from the table, beyond at
 /// another, radians, but for what would be under the table.
 fn bend(flight: &mut Flight, angles: [f32; 2]) {
-    let places = flight.creased_mesh().unwrap().places.clone();
+    let places = flight.paper_mesh().unwrap().places.clone();
     let [(sin, cos), (far_sin, far_cos)] = angles.map(libm::sincosf);
     let points = flight.override_surface().as_chunks_mut::<3>().0;
-    for (point, [u, v]) in points.iter_mut().zip(places.as_chunks::<2>().0) {
+    for (point, [u, v]) in points.iter_mut().zip(&places) {
         let [near, far] = [u.min(0.5), (u - 0.5).max(0.0)].map(|u| u * PAGE[0]);
         let x = near * cos + far * far_cos;
         let z = near * sin + far * far_sin;

@@ -24,6 +24,7 @@ use crate::contact::work::Work;
 use crate::creased_only::CreasedOnly;
 use crate::grid::Side;
 use crate::models::sheet::FoldLine;
+use crate::paper_mesh::PaperMesh;
 use crate::surface::Surface;
 use crate::vector::{dot, sub};
 
@@ -156,16 +157,19 @@ impl Flight {
         if !self.leaf.crease(creases) {
             return false;
         }
-        let made = CreasedMesh::of(self.leaf.sheet());
-        let (mesh, parts) = made.unzip();
-        (self.creased, self.parts) = (mesh.into(), parts.unwrap_or_default());
+        let sheet = self.leaf.sheet();
+        let columns = sheet.drawn_columns();
+        let mesh = sheet.paper_mesh();
+        let parts = mesh.as_ref().map(|mesh| DrawnParts::of(mesh, columns));
+        self.parts = parts.unwrap_or_default();
+        self.creased = mesh.map(|mesh| CreasedMesh::of(mesh, columns)).into();
         self.surface.topology = CREASINGS.fetch_add(1, Ordering::Relaxed).wrapping_add(1);
         true
     }
 
     /// How its drawn mesh lies on the flat paper where its leaf is creased.
-    pub fn creased_mesh(&self) -> Option<&CreasedMesh> {
-        self.creased.as_ref()
+    pub fn paper_mesh(&self) -> Option<&PaperMesh> {
+        self.creased.as_ref().map(|creased| &creased.paper)
     }
 
     /// Gives it another number, as it lies or is picked up from there.
@@ -269,15 +273,14 @@ impl Flight {
         self.turned_over.clear();
         let shut = self.leaf.shut_creases();
         self.shut = shut;
-        let Some(creased) = self.creased.as_ref().filter(|_| shut != 0) else {
+        let Some(mesh) = self.creased.as_ref().filter(|_| shut != 0) else {
             return;
         };
-        self.turned_over.resize(creased.places.len() / 2, true);
-        let triangles = creased.triangles.as_chunks::<3>().0;
-        for (corners, part) in triangles.iter().zip(&creased.parts) {
-            if !is_turned_over(*part, shut) {
+        self.turned_over.resize(mesh.paper.places.len(), true);
+        for (corners, part) in mesh.paper.parted_triangles() {
+            if !is_turned_over(part, shut) {
                 for corner in corners {
-                    self.turned_over[*corner as usize] = false;
+                    self.turned_over[corner] = false;
                 }
             }
         }
@@ -298,7 +301,7 @@ impl Flight {
             // Its columns are moved onto its creases.
             let settings = self.leaf.sheet().settings();
             let size = [settings.width, settings.height].map(|length| length as f32);
-            for (point, [u, v]) in points.iter_mut().zip(creased.places.as_chunks::<2>().0) {
+            for (point, [u, v]) in points.iter_mut().zip(&creased.paper.places) {
                 *point = [side.sign() * u * size[0], v * size[1], 0.0];
             }
             bend_into_gutter(&mut self.shown, right, left, (0.0, CreasedOnly::NONE));

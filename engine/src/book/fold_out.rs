@@ -12,7 +12,6 @@
 //! shut upon it, on either side of the book.
 
 use super::Book;
-use super::creased_mesh::CreasedMesh;
 use super::limits::{NODES, TICK};
 use super::paper::Paper;
 use super::stillness::{STILL, Stillness};
@@ -21,6 +20,7 @@ use crate::grab::{stiffness_for, strongest};
 use crate::grid::Side;
 use crate::interpolate::uniform_samples;
 use crate::models::sheet::{FoldLine, Root, Sheet, SheetSettings};
+use crate::paper_mesh::PaperMesh;
 use crate::rigidity::Rigidity;
 use crate::surface::Surface;
 use crate::turn::TurnModel;
@@ -94,6 +94,8 @@ pub struct FoldOut {
     pulled: [f32; 3],
     stillness: Stillness,
     surface: Surface,
+    /// How its drawn points lie on the flat paper, where that is no grid.
+    mesh: Option<PaperMesh>,
 }
 
 impl FoldOut {
@@ -152,6 +154,7 @@ impl FoldOut {
             own: (beside / (beside + line.stiffness)) as f32,
             yields: line.yields as f32,
             surface: Surface::new(book.columns().len(), book.rows()),
+            mesh: sheet.paper_mesh(),
             sheet,
             side,
             panels,
@@ -222,8 +225,8 @@ impl FoldOut {
     }
 
     /// How its drawn mesh lies on the flat paper where it has further folds.
-    pub fn creased_mesh(&self) -> Option<&CreasedMesh> {
-        self.creased.as_ref().map(|creased| &creased.folded.mesh)
+    pub fn paper_mesh(&self) -> Option<&PaperMesh> {
+        self.mesh.as_ref()
     }
 
     /// Whether it does not move until the next command.

@@ -2,7 +2,6 @@
 //! is drawn of them is kept apart.
 
 use super::book_space_leaf::WIDTH;
-use super::creased_mesh::CreasedMesh;
 use crate::contact::flaps::Flaps;
 use crate::contact::separate_parts::{DrawnParts, ROUNDS};
 use crate::contact::work::Work;
@@ -14,16 +13,14 @@ use crate::surface::Surface;
 pub(super) struct FoldedSheet {
     flaps: Flaps,
     parts: DrawnParts,
-    /// How its drawn mesh lies on the flat paper.
-    pub mesh: CreasedMesh,
 }
 
 impl FoldedSheet {
     /// What a creased sheet has; None of another.
     pub fn of(sheet: &Sheet) -> Option<FoldedSheet> {
-        let (mesh, parts) = CreasedMesh::of(sheet)?;
+        let parts = DrawnParts::of(&sheet.paper_mesh()?, sheet.drawn_columns());
         let flaps = Flaps::of(sheet)?;
-        Some(FoldedSheet { flaps, parts, mesh })
+        Some(FoldedSheet { flaps, parts })
     }
 
     /// Says that a crease rests at another angle, radians: what is folded over lies on that side.

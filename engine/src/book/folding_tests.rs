@@ -46,9 +46,9 @@ fn turn(book: &mut Book, from: Side) -> u32 {
 /// By how much the drawn flap of the only leaf is apart from the rest of it, at least, metres:
 /// below 0 where they go through each other.
 fn least_gap(book: &Book, on_recto: bool) -> f32 {
-    let (surface, mesh) = (book.surface(0).unwrap(), book.creased_mesh(0).unwrap());
+    let (surface, mesh) = (book.surface(0).unwrap(), book.paper_mesh(0).unwrap());
     let points = surface.positions.as_chunks::<3>().0;
-    let beyond = |k: usize| mesh.places[2 * k] * 0.14 - 0.11 - mesh.places[2 * k + 1] * 0.21;
+    let beyond = |k: usize| mesh.places[k][0] * 0.14 - 0.11 - mesh.places[k][1] * 0.21;
     let all = 0..points.len();
     let (flap, rest): (Vec<_>, Vec<_>) = all
         .filter(|k| beyond(*k).abs() > 1e-5)
@@ -188,7 +188,7 @@ fn leaves_that_fly_as_one_are_not_creased() {
     let mut book = book(true);
     let id = book.pick_up(Side::Right, 5, 8).unwrap();
     assert_eq!(book.drawn_leaves(), 1);
-    assert!(book.creased_mesh(0).is_none());
+    assert!(book.paper_mesh(0).is_none());
     book.play(id, Side::Left, 0.8);
     for _ in 0..400 {
         book.step(1);

@@ -188,8 +188,7 @@ impl Leaf {
         self.flaps = Flaps::of(&self.sheet).into();
         self.in_book.has_folds = false;
         let triangles = self.sheet.node_triangles().into_iter();
-        let corners = triangles.map(|(corners, _)| corners);
-        self.in_book.falling = find_falling(corners, NODES[0], NODES[0] * NODES[1]);
+        self.in_book.falling = find_falling(triangles, NODES[0], NODES[0] * NODES[1]);
         let places = self.flat.chunks_exact(3 * NODES[0]).enumerate();
         let [width, height] = [self.sheet.settings().width, self.sheet.settings().height];
         self.edge = places

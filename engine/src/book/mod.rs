@@ -42,10 +42,8 @@ mod tests;
 mod torn_leaf;
 mod turn_by_place;
 
-pub use crate::models::sheet::TornMesh;
 pub use bend_into_gutter::bend_into_gutter;
 pub use board::Board;
-pub use creased_mesh::CreasedMesh;
 pub use fold_out::{FlapPlace, FoldOut};
 pub use leaf::Leaf;
 use limits::MOST_STEPPING;
@@ -59,6 +57,7 @@ pub use torn_leaf::{TearLine, TornLeaf};
 
 use crate::grid::Side;
 use crate::models::sheet::FoldLine;
+use crate::paper_mesh::PaperMesh;
 use crate::stock::Stock;
 use crate::surface::Surface;
 use flight::Flight;
@@ -245,8 +244,8 @@ impl Book {
     /// How the drawn mesh of the leaf at `index`, counted from the left, lies on its flat paper
     /// where it is creased; None where it is not, and its points lie at the [columns](Self::columns)
     /// and even rows. The surface's `topology` rises when it changes.
-    pub fn creased_mesh(&self, index: usize) -> Option<&CreasedMesh> {
-        self.flights.order().get(index)?.creased_mesh()
+    pub fn paper_mesh(&self, index: usize) -> Option<&PaperMesh> {
+        self.flights.order().get(index)?.paper_mesh()
     }
 
     /// How many leaves are drawn by themselves: those in flight, and creased ones that lie

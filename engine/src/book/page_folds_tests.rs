@@ -61,7 +61,7 @@ fn depth(book: &Book, creases: &[FoldLine]) -> f32 {
 /// The same of the leaf at an index, counted from the left.
 fn depth_of(book: &Book, index: usize, creases: &[FoldLine]) -> f32 {
     let surface = book.surface(index).unwrap();
-    depth_of_parts(surface, book.creased_mesh(index).unwrap(), creases)
+    depth_of_parts(surface, book.paper_mesh(index).unwrap(), creases)
 }
 
 /// Turns the uppermost leaf of a side over. Returns the greatest strain of its edges in a frame.

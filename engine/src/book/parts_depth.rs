@@ -1,7 +1,7 @@
 //! How deep the parts of a creased sheet are drawn in each other, for tests.
 
-use super::creased_mesh::CreasedMesh;
 use crate::models::sheet::FoldLine;
+use crate::paper_mesh::PaperMesh;
 use crate::surface::Surface;
 use crate::vector::{cross, dot, sub, unit};
 
@@ -13,9 +13,9 @@ const REACH: f32 = 0.03;
 
 /// The deepest that a drawn point of one part of a sheet is in a triangle of another, metres.
 /// `creases` are those of the sheet.
-pub(super) fn depth_of_parts(surface: &Surface, mesh: &CreasedMesh, creases: &[FoldLine]) -> f32 {
+pub(super) fn depth_of_parts(surface: &Surface, mesh: &PaperMesh, creases: &[FoldLine]) -> f32 {
     let points = surface.positions.as_chunks::<3>().0;
-    let corners = mesh.triangles.as_chunks::<3>().0;
+    let corners = &mesh.triangles;
     let mut parts: Vec<Option<Option<u16>>> = vec![None; points.len()];
     for (corners, part) in corners.iter().zip(&mesh.parts) {
         for corner in corners {

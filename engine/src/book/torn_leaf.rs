@@ -10,7 +10,6 @@
 use std::rc::Rc;
 
 use super::Book;
-use super::creased_mesh::CreasedMesh;
 use super::flight::Flight;
 use super::folded_sheet::FoldedSheet;
 use super::limits::{NODES, TICK};
@@ -19,7 +18,8 @@ use super::surroundings::{Surroundings, TableAround};
 use crate::contact::flaps::Flaps;
 use crate::contact::relief::Relief;
 use crate::grid::Side;
-use crate::models::sheet::{Root, Sheet, SheetSettings, TornMesh};
+use crate::models::sheet::{Root, Sheet, SheetSettings};
+use crate::paper_mesh::PaperMesh;
 use crate::stock::GRAVITY;
 use crate::surface::Surface;
 use crate::turn::TurnModel;
@@ -101,10 +101,8 @@ pub struct TornLeaf {
     folded: Option<FoldedSheet>,
     /// What holds one that is torn across.
     across: Across,
-    /// How what is drawn of a sheet that is torn across lies on its page, and how often that has
-    /// changed.
-    mesh: TornMesh,
-    mesh_version: u32,
+    /// How its drawn points lie on its page, where that is no grid.
+    mesh: Option<PaperMesh>,
     /// Its place among loose sheets, from the table up; the greatest of one that has met none.
     pub(super) layer: u32,
     /// Whether others lie upon it.
@@ -161,9 +159,8 @@ impl TornLeaf {
         surface.update_normals();
         TornLeaf {
             steps: libm::roundf(TICK / sheet.time_step()).max(1.0) as u32,
-            mesh: sheet.torn_mesh(),
+            mesh: sheet.paper_mesh(),
             folded: None,
-            mesh_version: 0,
             layer: u32::MAX,
             is_laden: false,
             relief: None,
@@ -270,8 +267,7 @@ impl TornLeaf {
         self.sheet = sheet;
         self.release();
         self.drawn_offset = DrawnOffset::default();
-        // What is drawn is of facets from now on.
-        self.sheet.write_surface(&mut self.surface);
+        self.draw_anew();
         self.surface.update_normals();
         true
     }
@@ -410,25 +406,15 @@ impl TornLeaf {
         self.surface.update_normals();
     }
 
-    /// How what is drawn of one that was folded when it was torn out lies on its page; None of any
-    /// other, and once it is crumpled.
-    pub fn folded_mesh(&self) -> Option<&CreasedMesh> {
-        self.folded.as_ref().map(|folded| &folded.mesh)
-    }
-
     /// What is drawn, as of the last update.
     pub fn surface(&self) -> &Surface {
         &self.surface
     }
 
-    /// How what is drawn of one that is torn across lies on its page; nothing of any other.
-    pub fn mesh(&self) -> &TornMesh {
-        &self.mesh
-    }
-
-    /// Changes whenever the mesh does.
-    pub fn mesh_version(&self) -> u32 {
-        self.mesh_version
+    /// How what is drawn lies on its page; None where its points lie in even columns and rows. The
+    /// surface's `topology` rises when it changes.
+    pub fn paper_mesh(&self) -> Option<&PaperMesh> {
+        self.mesh.as_ref()
     }
 
     /// The sheet itself.
@@ -481,24 +467,29 @@ impl TornLeaf {
         let Some(shown) = self.across.turn(&mut self.sheet, self.pulled, drawn) else {
             return;
         };
-        self.mesh = self.sheet.torn_mesh();
-        self.mesh_version = self.mesh_version.wrapping_add(1);
-        self.sheet.write_surface(&mut self.surface);
+        self.draw_anew();
         self.drawn_offset = DrawnOffset::new(&shown, &self.surface.positions, TURNED);
     }
 
     /// Goes on as another sheet, which is drawn at once. All grabs are released.
     fn take_sheet(&mut self, sheet: Sheet) {
-        let version = self.surface.version;
+        let (version, topology) = (self.surface.version, self.surface.topology);
         *self = TornLeaf {
             torn: self.torn,
-            mesh_version: self.mesh_version.wrapping_add(1),
             across: core::mem::take(&mut self.across),
             layer: self.layer,
             relief: self.relief.take(),
             ..TornLeaf::of(sheet, self.around)
         };
         self.surface.version = version.wrapping_add(1);
+        self.surface.topology = topology.wrapping_add(1);
+    }
+
+    /// Draws the sheet by another mesh, which it has from now on.
+    fn draw_anew(&mut self) {
+        self.mesh = self.sheet.paper_mesh();
+        self.sheet.write_surface(&mut self.surface);
+        self.surface.topology = self.surface.topology.wrapping_add(1);
     }
 
     /// Moves on from now, if it was asleep.

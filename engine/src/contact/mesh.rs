@@ -60,27 +60,24 @@ impl<'a> Folds<'a> {
 
 /// Finds the cells of a mesh that are cut along their other diagonal, by its triangles.
 pub fn find_falling(
-    triangles: impl Iterator<Item = [usize; 3]>,
+    triangles: impl Iterator<Item = ([usize; 3], u16)>,
     columns: usize,
     points: usize,
 ) -> Vec<bool> {
     let mut falling = vec![false; points];
-    for [foot, next, above] in triangles {
+    for ([foot, next, above], _) in triangles {
         falling[foot] |= [next, above] == [foot + 1, foot + columns];
     }
     falling
 }
 
 /// Finds the points of a mesh that lie beyond a crease as seen from the spine, by its triangles and
-/// the creases that each lies beyond; none of a mesh without triangles.
-pub fn find_beyond(triangles: &[([usize; 3], u16)], points: usize) -> Vec<bool> {
-    if triangles.is_empty() {
-        return Vec::new();
-    }
+/// the creases that each lies beyond.
+pub fn find_beyond(triangles: impl Iterator<Item = ([usize; 3], u16)>, points: usize) -> Vec<bool> {
     let mut beyond = vec![true; points];
-    for (corners, _) in triangles.iter().filter(|(_, part)| *part == 0) {
+    for (corners, _) in triangles.filter(|(_, part)| *part == 0) {
         for corner in corners {
-            beyond[*corner] = false;
+            beyond[corner] = false;
         }
     }
     beyond

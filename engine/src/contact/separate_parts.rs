@@ -14,6 +14,7 @@ use super::flaps::Flaps;
 use super::tolerance::{NOT_UPON, OVER_PILE, SLACK};
 use super::work::Work;
 use crate::grid::{cells, cut_cell};
+use crate::paper_mesh::PaperMesh;
 use crate::surface::Surface;
 use crate::triangle::{BESIDE, Triangle, area_normal};
 use crate::vector::{dot, unit};
@@ -280,6 +281,12 @@ impl DrawnParts {
             seen: Vec::new(),
             columns,
         }
+    }
+
+    /// Those of a mesh with so many columns.
+    pub fn of(mesh: &PaperMesh, columns: usize) -> DrawnParts {
+        let triangles: Vec<_> = mesh.parted_triangles().collect();
+        DrawnParts::new(columns, mesh.places.len(), &triangles)
     }
 
     /// The one part of a whole leaf's mesh of so many columns and rows.

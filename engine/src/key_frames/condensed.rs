@@ -30,7 +30,7 @@ use super::choose::{choose, farthest};
 use super::header::{CHECKSUM, HEADER, Header, rising, sealed, unsealed, version};
 use super::polynomial_basis::{PolynomialBasis, order};
 use super::{KeyFrameError, KeyFrames, mesh};
-use crate::drawn_mesh::DrawnMesh;
+use crate::paper_mesh::PaperMesh;
 
 /// The version of a grid, and that of another mesh.
 const GRID: u16 = 2;
@@ -71,7 +71,7 @@ pub struct Condensed {
     pub error: f32,
     /// How the points lie on the flat paper and hang together, if not as a grid's at `u` and
     /// `v`: see [`Condensed::with_mesh`].
-    pub mesh: Option<DrawnMesh>,
+    pub mesh: Option<PaperMesh>,
     quantum: f32,
     /// Multiples of the quantum: of x, of y and of z of each frame, frame after frame.
     multiples: Vec<i32>,
@@ -157,7 +157,7 @@ impl Condensed {
     ///
     /// # Errors
     /// Where it is no mesh of the recorded points.
-    pub fn with_mesh(mut self, mesh: &DrawnMesh) -> Result<Self, KeyFrameError> {
+    pub fn with_mesh(mut self, mesh: &PaperMesh) -> Result<Self, KeyFrameError> {
         let mesh = mesh::rounded(mesh, self.frames.columns, self.frames.rows);
         self.mesh = Some(mesh.ok_or(KeyFrameError::BadMesh)?);
         Ok(self)

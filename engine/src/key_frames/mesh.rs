@@ -6,17 +6,18 @@
 //! cut from their foot at the spine; and its part, less that of the triangle before.
 
 use super::bits::{BitReader, BitWriter};
-use crate::drawn_mesh::DrawnMesh;
 use crate::grid::cut_cell;
+use crate::paper_mesh::PaperMesh;
 
 /// Parts of the leaf's width or height of which the place of a point is a whole number.
 const PARTS: f32 = u16::MAX as f32;
 
 /// The mesh with places as they are kept; None where it is none of so many columns and rows.
-pub(super) fn rounded(mesh: &DrawnMesh, columns: usize, rows: usize) -> Option<DrawnMesh> {
+pub(super) fn rounded(mesh: &PaperMesh, columns: usize, rows: usize) -> Option<PaperMesh> {
     let points = columns * rows;
     let count = mesh.triangles.len();
     let is_mesh = mesh.places.len() == points
+        && mesh.tears.is_empty()
         && mesh.parts.len() == count
         && (1..=most_triangles(columns, rows)).contains(&count)
         && mesh
@@ -29,7 +30,7 @@ pub(super) fn rounded(mesh: &DrawnMesh, columns: usize, rows: usize) -> Option<D
             .iter()
             .flatten()
             .all(|at| (0.0..=1.0).contains(at));
-    is_mesh.then(|| DrawnMesh {
+    is_mesh.then(|| PaperMesh {
         places: mesh
             .places
             .iter()
@@ -40,7 +41,7 @@ pub(super) fn rounded(mesh: &DrawnMesh, columns: usize, rows: usize) -> Option<D
 }
 
 /// Packs a [rounded](rounded) mesh of points in columns at `u` and rows at `v`.
-pub(super) fn pack(mesh: &DrawnMesh, u: &[f32], v: &[f32]) -> Vec<u8> {
+pub(super) fn pack(mesh: &PaperMesh, u: &[f32], v: &[f32]) -> Vec<u8> {
     let mut writer = BitWriter::default();
     for axis in 0..2 {
         let even = evens(u, v, axis);
@@ -68,7 +69,7 @@ pub(super) fn pack(mesh: &DrawnMesh, u: &[f32], v: &[f32]) -> Vec<u8> {
 }
 
 /// The mesh of so many triangles that [`pack`] packed; None where the bytes are none.
-pub(super) fn unpack(packed: &[u8], u: &[f32], v: &[f32], count: usize) -> Option<DrawnMesh> {
+pub(super) fn unpack(packed: &[u8], u: &[f32], v: &[f32], count: usize) -> Option<PaperMesh> {
     let (columns, points) = (u.len(), u.len() * v.len());
     if !(1..=most_triangles(columns, v.len())).contains(&count) {
         return None;
@@ -103,10 +104,11 @@ pub(super) fn unpack(packed: &[u8], u: &[f32], v: &[f32], count: usize) -> Optio
             Some(part as u16)
         })
         .collect();
-    let mesh = DrawnMesh {
+    let mesh = PaperMesh {
         places,
         triangles,
         parts: parts?,
+        tears: Vec::new(),
     };
     reader.is_at_end().then_some(mesh)
 }

@@ -123,7 +123,7 @@ fn a_folded_page_is_turned_over_folded() {
 #[test]
 fn what_is_drawn_lies_on_the_paper_as_it_says() {
     let mut leaf = creased(&[EAR]);
-    let mesh = leaf.drawn_mesh().unwrap();
+    let mesh = leaf.paper_mesh().unwrap();
     let mut surface = Surface::new(2, 2);
     leaf.write_surface(&mut surface);
     assert_eq!(mesh.places.len(), surface.columns * surface.rows);
@@ -134,13 +134,13 @@ fn what_is_drawn_lies_on_the_paper_as_it_says() {
     }
     assert!(mesh.parts.contains(&1) && mesh.parts.contains(&0));
     leaf.crease(&[]).unwrap();
-    assert!(leaf.drawn_mesh().is_none() && leaf.crease_state(0).is_none());
+    assert!(leaf.paper_mesh().is_none() && leaf.crease_state(0).is_none());
 }
 
 #[test]
 fn what_cannot_be_creased_is_rejected_and_stays_as_it_was() {
     let mut leaf = creased(&[EAR]);
-    let before = leaf.drawn_mesh();
+    let before = leaf.paper_mesh();
     let across = [[0.0, 0.5], [1.0, 0.5]];
     let beside = [[0.621, 0.0], [1.0, 0.271]];
     for (lines, said) in [
@@ -153,11 +153,11 @@ fn what_cannot_be_creased_is_rejected_and_stays_as_it_was() {
         let lines: Vec<_> = lines.into_iter().map(|line| (line, 1.0)).collect();
         let error = leaf.crease(&lines).unwrap_err().to_string();
         assert!(error.contains(said) && error.ends_with('.'), "{error}");
-        assert_eq!(leaf.drawn_mesh(), before);
+        assert_eq!(leaf.paper_mesh(), before);
     }
     assert!(leaf.draw_samples(&[0.0, 0.5, 1.0], &[0.0, 1.0]).is_err());
     assert!(leaf.draw_samples(&[0.1, 0.5, 1.0], &[0.0, 1.0]).is_err());
-    assert_eq!(leaf.drawn_mesh(), before);
+    assert_eq!(leaf.paper_mesh(), before);
     leaf.record(0.1);
     leaf.advance(0.3);
     assert!(leaf.finish_record().is_none());

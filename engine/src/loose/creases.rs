@@ -3,8 +3,8 @@
 use super::LooseLeaf;
 use super::settings::InvalidLoose;
 use super::table_sheet::CreaseState;
-use crate::drawn_mesh::DrawnMesh;
 use crate::models::sheet::FoldLine;
+use crate::paper_mesh::PaperMesh;
 use crate::real::bounded;
 
 impl LooseLeaf {
@@ -46,18 +46,8 @@ impl LooseLeaf {
 
     /// How what is drawn lies on the flat paper; None of a leaf without creases, whose points
     /// lie at the values that it is drawn at.
-    pub fn drawn_mesh(&self) -> Option<DrawnMesh> {
-        let sheet = &self.body.sheet()?.sheet;
-        let places = sheet.drawn_places()?;
-        let triangles = sheet.drawn_triangles();
-        Some(DrawnMesh {
-            places,
-            parts: triangles.iter().map(|(_, part)| *part).collect(),
-            triangles: triangles
-                .iter()
-                .map(|(corners, _)| corners.map(|corner| corner as u32))
-                .collect(),
-        })
+    pub fn paper_mesh(&self) -> Option<PaperMesh> {
+        self.body.sheet()?.sheet.paper_mesh()
     }
 
     /// Says whether creases yield, as in a hand.

@@ -220,7 +220,7 @@ impl LooseLeaf {
     /// If the interval is not above 0.
     pub fn record(&mut self, interval: f64) {
         assert!(interval > 0.0, "the interval is above 0");
-        if self.drawn_mesh().is_some() {
+        if self.paper_mesh().is_some() {
             return;
         }
         let mut surface = core::mem::replace(&mut self.surface, Surface::new(2, 2));

@@ -275,7 +275,7 @@ impl Creasing {
 pub fn measure_at_rest(book: &Book, page: [f32; 2]) -> Overlap {
     let mut found = measure(book, page);
     for index in 0..book.drawn_leaves() {
-        let (Some(surface), Some(mesh)) = (book.surface(index), book.creased_mesh(index)) else {
+        let (Some(surface), Some(mesh)) = (book.surface(index), book.paper_mesh(index)) else {
             continue;
         };
         let creases = book.creases(low_of(book, index));

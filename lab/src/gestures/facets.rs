@@ -1,7 +1,8 @@
 //! A drawn leaf as flat facets, and what of it is next to a point.
 
+use turnleaf_engine::PaperMesh;
 use turnleaf_engine::Surface;
-use turnleaf_engine::book::{Book, CreasedMesh};
+use turnleaf_engine::book::Book;
 
 use super::folds::Folds;
 use super::triangle::{Crossing, Point, cross, crossing, dot, nearest_of_triangle, sub};
@@ -104,14 +105,14 @@ impl<'a> Facets<'a> {
     /// Of the leaf that a book draws at `index`, counted from the left; None where it draws none.
     pub fn of(book: &'a Book, index: usize) -> Option<Facets<'a>> {
         let surface = book.surface(index)?;
-        Some(match book.creased_mesh(index) {
+        Some(match book.paper_mesh(index) {
             Some(mesh) => Facets::folded(surface, mesh),
             None => Facets::new(surface),
         })
     }
 
     /// Of a drawn surface with folds.
-    pub fn folded(surface: &'a Surface, mesh: &CreasedMesh) -> Facets<'a> {
+    pub fn folded(surface: &'a Surface, mesh: &PaperMesh) -> Facets<'a> {
         let facets = Facets::new(surface);
         let folds = Folds::of(facets.columns, facets.points, mesh);
         Facets {

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use turnleaf_engine::book::CreasedMesh;
+use turnleaf_engine::PaperMesh;
 
 use super::triangle::{Point, cross, dot, sub};
 
@@ -17,8 +17,8 @@ pub struct Folds {
 
 impl Folds {
     /// Those of a drawn mesh of so many columns, whose points are now there.
-    pub fn of(columns: usize, points: &[Point], mesh: &CreasedMesh) -> Folds {
-        let corners = mesh.triangles.as_chunks::<3>().0;
+    pub fn of(columns: usize, points: &[Point], mesh: &PaperMesh) -> Folds {
+        let corners = &mesh.triangles;
         let all = || corners.iter().map(|all| all.map(|corner| corner as usize));
         let mut falling = vec![false; points.len()];
         let of_cell = |corners: [usize; 3]| {
@@ -47,14 +47,14 @@ impl Folds {
 
 /// The creases of a drawn leaf that are folded beyond a right angle in the mean over their
 /// length, as a set of bits.
-fn shut(points: &[Point], mesh: &CreasedMesh) -> u16 {
+fn shut(points: &[Point], mesh: &PaperMesh) -> u16 {
     let normal = |corners: &[u32; 3]| {
         let [a, b, c] = corners.map(|corner| points[corner as usize]);
         cross(sub(b, a), sub(c, a))
     };
     let mut even = [0.0f32; u16::BITS as usize];
     let mut beside: BTreeMap<[u32; 2], (u16, Point)> = BTreeMap::new();
-    let corners = mesh.triangles.as_chunks::<3>().0;
+    let corners = &mesh.triangles;
     for (corners, part) in corners.iter().zip(&mesh.parts) {
         let own = normal(corners);
         for k in 0..3 {

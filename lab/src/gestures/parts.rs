@@ -3,7 +3,7 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use turnleaf_engine::book::CreasedMesh;
+use turnleaf_engine::PaperMesh;
 use turnleaf_engine::{FoldLine, Surface};
 
 use super::triangle::{Point, cross, dot, sub};
@@ -17,14 +17,9 @@ const REACH: f32 = 0.22;
 
 /// The deepest that a drawn point of one part of a leaf is in a triangle of another, metres. Only
 /// what is folded by more than a right angle is looked at: less may lie on either side.
-pub fn inside_parts(
-    surface: &Surface,
-    mesh: &CreasedMesh,
-    creases: &[FoldLine],
-    width: f32,
-) -> f32 {
+pub fn inside_parts(surface: &Surface, mesh: &PaperMesh, creases: &[FoldLine], width: f32) -> f32 {
     let points = surface.positions.as_chunks::<3>().0;
-    let corners = mesh.triangles.as_chunks::<3>().0;
+    let corners = &mesh.triangles;
     let triangles = || corners.iter().zip(&mesh.parts);
     // Those on creases belong to no part.
     let mut parts: Vec<Option<Option<u16>>> = vec![None; points.len()];
@@ -119,14 +114,14 @@ mod tests {
         let mut book = Book::new(0.14, 0.21, 40, 0.004).expect("a book's figures");
         book.lay(5);
         assert!(book.crease(5, &lines));
-        let (surface, mesh) = (book.surface(0).unwrap(), book.creased_mesh(0).unwrap());
+        let (surface, mesh) = (book.surface(0).unwrap(), book.paper_mesh(0).unwrap());
         assert!(inside_parts(surface, mesh, &lines, 0.14) < 1e-4);
         let lowest = surface.positions.as_chunks::<3>().0.iter();
         let lowest = lowest.map(|point| point[2]).fold(f32::MAX, f32::min);
         let pushed = |down: f32| {
             let mut sunken = surface.clone();
             let points = sunken.positions.as_chunks_mut::<3>().0;
-            let flap = mesh.places.as_chunks::<2>().0.iter();
+            let flap = mesh.places.iter();
             let mut most = 0.0f32;
             for (point, _) in points
                 .iter_mut()
@@ -160,11 +155,11 @@ mod tests {
         let mut book = Book::new(0.14, 0.21, 40, 0.004).expect("a book's figures");
         book.lay(5);
         assert!(book.crease(5, &lines));
-        let (surface, mesh) = (book.surface(0).unwrap(), book.creased_mesh(0).unwrap());
+        let (surface, mesh) = (book.surface(0).unwrap(), book.paper_mesh(0).unwrap());
         let mut curled = surface.clone();
         let points = curled.positions.as_chunks_mut::<3>().0;
         let (fold, level, radius) = (0.6 * 0.14, 0.025, 0.002);
-        for (point, [u, v]) in points.iter_mut().zip(mesh.places.as_chunks::<2>().0) {
+        for (point, [u, v]) in points.iter_mut().zip(&mesh.places) {
             let [x, y] = [u * 0.14, v * 0.21];
             let beyond = x - fold;
             let around = ((beyond - level) / radius).clamp(0.0, core::f32::consts::PI);

@@ -93,7 +93,7 @@ impl Tear {
     /// Begins to tear the leaf of a flight that lay on a side; None where it is folded, or is none.
     pub fn begin(book: &mut Book, flight: u32, side: Side, random: &mut Random) -> Option<Tear> {
         let index = (0..book.drawn_leaves()).find(|k| book.flight_id(*k) == Some(flight))?;
-        if book.creased_mesh(index).is_some() || book.leaves(index) != Some(1) {
+        if book.paper_mesh(index).is_some() || book.leaves(index) != Some(1) {
             return None;
         }
         let lines = [TearLine::Sewn, TearLine::Stapled, TearLine::Perforated];

@@ -30,11 +30,16 @@ impl Moment {
     /// A sheet as it is now, without its nodes.
     pub fn of_sheet(sheet: &mut Sheet) -> Self {
         let width = sheet.settings().width as f32;
-        let corners = sheet.drawn_triangles().into_iter();
+        let triangles = sheet
+            .paper_mesh()
+            .map_or_else(Vec::new, |mesh| mesh.triangles);
         Self {
             grid: (0, 0),
             masses: Vec::new(),
-            triangles: corners.map(|(corners, _)| corners).collect(),
+            triangles: triangles
+                .iter()
+                .map(|corners| corners.map(|corner| corner as usize))
+                .collect(),
             ..Self::of_width(sheet, width)
         }
     }

@@ -135,11 +135,11 @@ fn is_stretched(book: &Book, index: usize, [width, height]: [f32; 2]) -> bool {
     };
     let (columns, rows) = (surface.columns, surface.rows);
     let points = surface.positions.as_chunks::<3>().0;
-    let creased = book.creased_mesh(index);
+    let creased = book.paper_mesh(index);
     let flat = |node: usize| match creased {
         Some(mesh) => [
-            mesh.places[2 * node] * width,
-            mesh.places[2 * node + 1] * height,
+            mesh.places[node][0] * width,
+            mesh.places[node][1] * height,
             0.0,
         ],
         None => {

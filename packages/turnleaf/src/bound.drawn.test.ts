@@ -281,6 +281,29 @@ test("a fold-out is folded in, unfolds beside the book, and folds in before a tu
   expect(element.page).toBe(8);
 });
 
+test("an open fold-out of one colour shows no line at its folds", async () => {
+  for (const sheet of [wide(5, 5), leporello(5, 5, 5)]) {
+    const element = await openedWithFoldOut(sheet);
+    expect(await element.unfold(5)).toBe(true);
+    const picture = await pictureOf(element);
+    const { data, width } = picture;
+    const printed = Array.from({ length: width }, (_, x) => x).filter(
+      (x) => Math.abs((hueIn(picture, x / width, 0.5) ?? 0) - hueOf(5)) < 12,
+    );
+    // Without the gutter's curve, and the paper's edge.
+    const [first, last] = [
+      printed[Math.ceil(0.1 * printed.length)],
+      (printed.at(-1) as number) - 3,
+    ];
+    const row = Math.floor(0.5 * picture.height) * width;
+    const brightness = (x: number): number =>
+      data.slice(4 * (row + x), 4 * (row + x) + 3).reduce((sum, value) => sum + value);
+    const steps: number[] = [];
+    for (let x = first; x < last; x++) steps.push(Math.abs(brightness(x + 1) - brightness(x)));
+    expect(Math.max(...steps)).toBeLessThan(12);
+  }
+});
+
 test("a pointer opens a fold-out by its flap, shuts it again, and turns its leaf by any other pull", async () => {
   const element = await openedWithFoldOut(wide(5, 30));
   await drag(element, [0.58, 0.55], [0.86, 0.55], 40, () => element.foldOut === "open");

@@ -7,7 +7,6 @@ import {
   attributes,
 } from "./attributes.ts";
 import { readStocks } from "./book/leaf_stocks.ts";
-import type { PagePlace } from "./book/page_folds.ts";
 import type { Paper } from "./book/paper.ts";
 import {
   directionOf,
@@ -24,31 +23,21 @@ import { bindingOptionsOf, paperOf, turnSecondsOf } from "./element/attribute_op
 import { BookLifecycle, pdfWorkerOf } from "./element/book_lifecycle.ts";
 import type { TurnDetail } from "./element/events.ts";
 import { failureDetail, sentenceOf } from "./element/failure_detail.ts";
-import { placeOf } from "./element/fold_lists.ts";
 import type { OpenBook } from "./element/open_book.ts";
 import type { PageChanges } from "./element/page_changes.ts";
-import { layoutLists, type PageLists } from "./element/page_lists.ts";
+import { layoutLists } from "./element/page_lists.ts";
 import { pageNumber, RequestedPage } from "./element/page_numbers.ts";
-import { differs, expectedPage, PageShown } from "./element/page_shown.ts";
 import { pageThemeOf, watchScheme } from "./element/page_theme.ts";
-import { ReaderElement } from "./element/reader_element.ts";
 import { adopt } from "./element/reflecting_element.ts";
 import { openPages, ShadowTree } from "./element/shadow_tree.ts";
 import { SoundAndHaptics } from "./element/sound_and_haptics.ts";
-import type { TornPages } from "./element/torn_pages.ts";
-import { type ChosenTypography, typographyOf } from "./element/typography.ts";
+import { TearableElement } from "./element/tearable_element.ts";
+import { TextSetting } from "./element/text_setting.ts";
 import { pagesIn } from "./sources/html/child_pages.ts";
 import { loadPart } from "./sources/load_part.ts";
 import type { BookInput } from "./sources/open.ts";
 import type { PageList } from "./sources/page_list.ts";
-import {
-  BookError,
-  type NewIndex,
-  type PageColours,
-  type PageSize,
-  type Typography,
-} from "./sources/page_source.ts";
-import { paperback } from "./sources/typeset/page_measures.ts";
+import { BookError, type NewIndex, type PageColours } from "./sources/page_source.ts";
 import { coloursOf } from "./themes.ts";
 import type { Viewer, ViewerOptions, Zoom } from "./viewer/viewer.ts";
 import type { FilmFrames } from "./viewer/viewer_options.ts";
@@ -82,7 +71,7 @@ export interface TurnOptions {
  * The element's class: opens the book and turns it. Its attributes are
  * described with their properties.
  */
-export class TurnleafBook extends ReaderElement {
+export class TurnleafBook extends TearableElement {
   /** Attributes whose changes are observed. */
   static readonly observedAttributes: readonly string[] = [...effects.keys()];
 
@@ -102,7 +91,7 @@ export class TurnleafBook extends ReaderElement {
     announceZoom: () => this.announceZoom(),
     calm: () => this.#calm,
     goTo: (page, top) => void this.turnTo(page, { top, jump: true }),
-    typography: () => this.#takeTypography(),
+    typography: () => this.#text.take(),
     password: () => this.password,
     askPassword: async (isWrong, signal) =>
       this.controls ? await this.#controls.askPassword(this, isWrong, signal) : null,
@@ -114,8 +103,9 @@ export class TurnleafBook extends ReaderElement {
       this.moveLists(moved.placeOf ?? moved, pageCount);
       this.jumps.follow(moved);
     },
+    lists: () => this.lists,
     warned: () => this.reportWarnings(),
-    missingPart: (error) => this.#reportMissingPart(error),
+    missingPart: (error) => this.reportMissingPart(error),
     failed: (error) => this.#fail(error),
   });
   /**
@@ -126,22 +116,18 @@ export class TurnleafBook extends ReaderElement {
   filmFrames: FilmFrames | null = null;
   /** Changes the book's pages, once they are to be changed. */
   #pageChanges: Promise<PageChanges> | null = null;
-  /** The size for which the open book's text is set. */
-  readonly #pageShown: PageShown = new PageShown(
-    () => this.#shownPage(),
-    () => this.#typeset(),
+  readonly #text: TextSetting = new TextSetting(
+    this,
+    this.#tree.stage,
+    () => this.#life.book,
+    (error) => this.reportMissingPart(error),
   );
-  readonly #controls = new ControlsLoader((error) => this.#reportMissingPart(error));
+  readonly #controls = new ControlsLoader((error) => this.reportMissingPart(error));
   readonly #soundAndHaptics = new SoundAndHaptics(
     this,
     () => this.#leaves.stock ?? "book",
-    (error) => this.#reportMissingPart(error),
+    (error) => this.reportMissingPart(error),
   );
-  /** The pages that were torn out of the open book, once some may be, and what loads that. */
-  #torn: TornPages | null = null;
-  #loadingTorn: Promise<void> | null = null;
-  /** How many calls wait for what tears leaves out. */
-  #loadingTears = 0;
   #input: BookInput | null = null;
   #paper: Paper | null = null;
   readonly #asked = new RequestedPage();
@@ -161,10 +147,8 @@ export class TurnleafBook extends ReaderElement {
   #state: BookState = "resting";
   /** Whether the element is in a document. */
   #connected = false;
-  /** Whether the attributes of the text are being set for a book that is not open yet. */
-  #isRestoring = false;
-  /** What the book that opens was set and bound by, as text: it is asked for anew where it is other by then. */
-  #openedBy = { typography: "", binding: "" };
+  /** What the book that opens was bound by, as text. */
+  #boundBy = "";
   /** Opens a book of the element's children when the first of them comes. */
   readonly #children = new MutationObserver(() => {
     if (this.#life.isIdle && this.#childPages() !== "") this.#reopen();
@@ -237,7 +221,7 @@ export class TurnleafBook extends ReaderElement {
 
   /** Whether the visible pages are at full sharpness, set for the size in which they are shown, and nothing moves. */
   get settled(): boolean {
-    return !this.#pageShown.isPending && (this.#viewer?.settled ?? false);
+    return !this.#text.isPending && (this.#viewer?.settled ?? false);
   }
 
   /**
@@ -246,7 +230,7 @@ export class TurnleafBook extends ReaderElement {
    * loaded.
    */
   get ready(): boolean {
-    return this.settled && this.#loadingTears === 0 && (this.#viewer?.ready ?? false);
+    return this.settled && !this.isLoadingTears && (this.#viewer?.ready ?? false);
   }
 
   /**
@@ -372,7 +356,7 @@ export class TurnleafBook extends ReaderElement {
     const top = options?.top;
     if (top !== undefined && Number.isFinite(top)) this.#life.book?.roll?.aim(page, top);
     const spread = spreadOf(viewer.binding, page);
-    const motion = options?.motion === false ? "none" : this.#motion;
+    const motion = options?.motion === false ? "none" : this.motion;
     if (motion === "turn") return viewer.commands.goTo(spread);
     const changed = viewer.change(spread, motion === "fade");
     this.#updateState();
@@ -438,50 +422,6 @@ export class TurnleafBook extends ReaderElement {
   }
 
   /**
-   * Tears the leaf of an open page (from 1, by default the first visible one) out, if `tearable`
-   * allows it: both of its pages leave the book, and it lies beside it as a loose sheet, to be
-   * moved or thrown out of sight; without motion it is gone at once. Resolves, once it is off, to whether it is: false on the flat,
-   * for a leaf of the cover, if the page does not lie open, and if a listener cancels `tear`.
-   */
-  async tearOut(page: number = this.page): Promise<boolean> {
-    const viewer = this.#viewer;
-    await this.#allowTearing();
-    if (this.tearable === "none" || viewer !== this.#viewer) return false;
-    return (await viewer?.sheets.tearOut(page, this.#motion === "turn")) ?? false;
-  }
-
-  /**
-   * Puts the pages that were torn out last back where they were. Resolves, once the book is at rest
-   * and they are in it, to whether there were any.
-   */
-  putBack(): Promise<boolean> {
-    return this.#torn?.putBack() ?? Promise.resolve(false);
-  }
-
-  /**
-   * Crumples the loose sheet that was torn out last into a ball, where it lies, as a double tap on
-   * it does. Returns whether there is one that is not crumpled yet.
-   */
-  crumple(): boolean {
-    return this.#viewer?.sheets.crumple() ?? false;
-  }
-
-  /**
-   * Tears the loose sheet across that was torn out last, as two fingers do that pull it apart:
-   * from a place on an edge of the page that it shows to a place on another edge. It opens from
-   * the first, and takes about a second; `from` and `to` are moved to the edges next to them.
-   * Each piece is a loose sheet then, and `putBack()` makes a whole page of both again.
-   *
-   * Returns whether it is torn: false if no loose sheet is neither crumpled nor torn across, if a
-   * place is not on the page, or if a piece would be narrower than some 16 mm.
-   */
-  tearAcross(from: PagePlace, to: PagePlace): boolean {
-    const [start, end] = [from, to].map(placeOf);
-    if (!start || !end) return false;
-    return this.#viewer?.sheets.tearAcross(start, end) ?? false;
-  }
-
-  /**
    * Whether a page that lies open is a fold-out, and is unfolded.
    *
    * @internal
@@ -497,30 +437,6 @@ export class TurnleafBook extends ReaderElement {
    */
   toggleFoldOut(): boolean {
     return this.#viewer?.commands.toggleFoldOut() ?? false;
-  }
-
-  /**
-   * The first open page (from 1) whose leaf may be torn out; null if none may.
-   *
-   * @internal
-   */
-  get tearablePage(): number | null {
-    return this.#viewer?.sheets.tearablePage ?? null;
-  }
-
-  /**
-   * Whether a loose sheet that is neither crumpled nor torn across is flat, or all are folded that
-   * are; null if there is none.
-   *
-   * @internal
-   */
-  get wholeSheet(): "flat" | "folded" | null {
-    return this.#viewer?.sheets.wholeSheet ?? null;
-  }
-
-  /** Number of leaves that were torn out and can be put back. */
-  get tornLeaves(): number {
-    return this.#torn?.count ?? 0;
   }
 
   /** The zoom level: 1 for the whole book, to 8. Setting it zooms about the middle. */
@@ -618,7 +534,7 @@ export class TurnleafBook extends ReaderElement {
       this.#left = { ...this.#left, page, anchor: this.source?.first.anchor?.(page - 1) };
     }
     if (this.#life.book) this.returnLists();
-    this.#pageShown.stop();
+    this.#text.stop();
     this.#life.close();
     this.reportLists();
     this.#updateState();
@@ -650,9 +566,7 @@ export class TurnleafBook extends ReaderElement {
     },
     changePaper: () => this.#viewer?.setPaper(this.#leaves),
     changeModel: () => void this.#viewer?.setModel(this),
-    typeset: () => {
-      if (!this.#isRestoring) void this.#typeset();
-    },
+    typeset: () => this.#text.attributeChanged(),
     changePace: () => {
       if (this.#viewer) this.#viewer.turning.seconds = turnSecondsOf(this);
     },
@@ -663,7 +577,7 @@ export class TurnleafBook extends ReaderElement {
     },
     stopSound: () => this.#soundAndHaptics.close(),
     allowFolding: () => this.foldOpened(),
-    allowTearing: () => void this.#allowTearing(),
+    allowTearing: () => this.allowTearing(),
   };
 
   /** Pages of a list are of board, or of other stocks, from now on. */
@@ -675,11 +589,6 @@ export class TurnleafBook extends ReaderElement {
   /** @internal */
   protected override get book(): OpenBook | null {
     return this.#life.book;
-  }
-
-  /** @internal */
-  protected override addTornPages(lists: PageLists): PageLists {
-    return this.#torn?.addTo(lists) ?? lists;
   }
 
   get #viewer(): Viewer | undefined {
@@ -711,7 +620,7 @@ export class TurnleafBook extends ReaderElement {
   }
 
   #keepPlace(): Promise<void> {
-    return this.keepPlace().catch((error: unknown) => this.#reportMissingPart(error));
+    return this.keepPlace().catch((error: unknown) => this.reportMissingPart(error));
   }
 
   #updateControls(): void {
@@ -729,8 +638,8 @@ export class TurnleafBook extends ReaderElement {
     return view.matchMedia("(prefers-reduced-motion: reduce)").matches;
   }
 
-  /** How pages change: leaves turn, pages cross-fade, or neither. */
-  get #motion(): "turn" | "fade" | "none" {
+  /** @internal */
+  protected override get motion(): "turn" | "fade" | "none" {
     if (turnSecondsOf(this) === 0 || this.scrolled) return "none";
     return this.#calm ? "fade" : "turn";
   }
@@ -741,13 +650,13 @@ export class TurnleafBook extends ReaderElement {
     if (viewer === undefined) return Promise.resolve(false);
     const { commands } = viewer;
     const way = (by * forward(viewer.binding)) as 1 | -1;
-    if (this.#motion === "turn")
+    if (this.motion === "turn")
       return how === "command" ? commands.turn(way) : commands.press(way, how === "tap");
     // A corner that only lifts is not a turn to go on from.
     commands.peek(null);
     const spread = viewer.turning.turned(way);
     if (spread === null) return Promise.resolve(false);
-    const changed = viewer.change(spread, this.#motion === "fade", way);
+    const changed = viewer.change(spread, this.motion === "fade", way);
     this.#updateState();
     return changed;
   }
@@ -807,21 +716,10 @@ export class TurnleafBook extends ReaderElement {
   }
 
   async #restore(source: PageList, src: string): Promise<void> {
-    this.#isRestoring = true;
-    const before = JSON.stringify(typographyOf(this));
-    const typography = (): Typography => this.#takeTypography();
-    const found = await this.restorePlace(source, src, typography, this.#left?.anchor);
+    const found = await this.#text.restore((typography) =>
+      this.restorePlace(source, src, typography, this.#left?.anchor),
+    );
     if (this.#left && found !== null) this.#left = { ...this.#left, page: found };
-    this.#isRestoring = false;
-    // Set anew, by all that attributes say now.
-    if (JSON.stringify(typographyOf(this)) !== before) this.#takeTypography();
-  }
-
-  #takeTypography(): Typography {
-    const typography = typographyOf(this);
-    this.#openedBy.typography = JSON.stringify(typography);
-    this.#pageShown.size = expectedPage(this, this.#tree.stage, null, null, typography);
-    return this.#setFor(typography);
   }
 
   /** Returns the book that the element's children are; "" if there are none yet. */
@@ -865,13 +763,12 @@ export class TurnleafBook extends ReaderElement {
   #options(source: PageList): ViewerOptions {
     source.colours = coloursOf(pageThemeOf(this), this.darkPages);
     const binding = this.#binding;
-    this.#openedBy.binding = JSON.stringify(binding);
+    this.#boundBy = JSON.stringify(binding);
     return {
       ...binding,
       paper: () => this.#leaves,
       page: () => this.#firstPage(source),
       opensShut: () => this.#namedPage(source) === null,
-      lists: () => layoutLists(this.lists),
       turnSeconds: () => turnSecondsOf(this),
       filmFrames: this.filmFrames,
       model: () => this,
@@ -884,7 +781,7 @@ export class TurnleafBook extends ReaderElement {
         if (isOpen) this.#tree.announce(detail.message);
         this.emit("pageerror", { ...detail, page });
       },
-      onPageWidth: () => this.#pageShown.follow(),
+      onPageWidth: () => this.#text.follow(),
       onLayout: () => this.#laidOut(),
       onPage: (from, to) => this.#pageChanged(from, to, from < to ? "forward" : "backward"),
       onMotion: (...frame) => {
@@ -894,14 +791,8 @@ export class TurnleafBook extends ReaderElement {
       },
       foldsByHand: () => this.foldBookmarks,
       onPress: ({ page, corner, size }) => this.dogEar(page, corner, size),
-      tearing: {
-        // A leaf that comes off needs what keeps its pages.
-        line: () => (this.#torn && this.tearable !== "none" ? this.tearable : null),
-        mayTear: (pages) => this.ask("tear", { pages }),
-        takeOut: (pages) => this.#torn?.takeOut(pages) ?? null,
-        heard: (work) => this.#soundAndHaptics.tear(work),
-      },
-      onMissingPart: (error) => this.#reportMissingPart(error),
+      tearing: this.tearOwner((work) => this.#soundAndHaptics.tear(work)),
+      onMissingPart: (error) => this.reportMissingPart(error),
       onZoom: (zoom) => this.emit("zoomchange", { zoom }),
     };
   }
@@ -922,16 +813,15 @@ export class TurnleafBook extends ReaderElement {
     this.#updateState();
     this.#follow(viewer);
     this.foldOpened();
-    this.#torn?.opened(source);
-    void this.#allowTearing();
+    this.tearOpened(source);
     this.emit("load", { pageCount: source.pageCount, title: source.title });
   }
 
   /** Binds and sets a book that has just opened as attributes say that were changed meanwhile. */
   #follow(viewer: Viewer): void {
     const binding = this.#binding;
-    if (JSON.stringify(binding) !== this.#openedBy.binding) viewer.rebind(binding);
-    if (JSON.stringify(typographyOf(this)) !== this.#openedBy.typography) void this.#typeset();
+    if (JSON.stringify(binding) !== this.#boundBy) viewer.rebind(binding);
+    if (this.#text.isOutdated) void this.#text.setAnew();
   }
 
   #started(low: number, high: number, toLeft: boolean): void {
@@ -967,94 +857,17 @@ export class TurnleafBook extends ReaderElement {
     );
     const changes = await this.#pageChanges;
     const isMade = await changes.change(book, at, count, input, worker);
-    if (isMade) this.#pagesChanged();
+    if (isMade) this.pagesChanged();
     return isMade;
   }
 
   /** Makes a change of the pages that their source asks for, once the book is at rest. */
   async #followSource(change: () => NewIndex): Promise<void> {
-    if (await this.#life.book?.followSource(change)) this.#pagesChanged();
+    if (await this.#life.book?.followSource(change)) this.pagesChanged();
   }
 
-  /** Loads what tears leaves out and what keeps their pages, where they may be torn. */
-  async #allowTearing(): Promise<void> {
-    if (this.tearable === "none" || !this.#viewer) return;
-    this.#loadingTears++;
-    try {
-      this.#loadingTorn ??= this.#loadTornPages();
-      await this.#loadingTorn;
-      await this.#viewer?.sheets.allowTearing();
-    } finally {
-      this.#loadingTears--;
-    }
-  }
-
-  async #loadTornPages(): Promise<void> {
-    try {
-      const { TornPages } = await loadPart(import("./element/torn_pages.ts"));
-      const element = this;
-      this.#torn = new TornPages({
-        get lists() {
-          return element.lists;
-        },
-        set lists(lists) {
-          element.lists = lists;
-        },
-        book: () => this.#life.book,
-        torn: (pages) => this.emit("torn", { pages }),
-        changed: () => this.#pagesChanged(),
-        faceOf: (page) => (this.shownLayout === "spread" ? this.pageFaces()(page) % 2 : null),
-        show: (page) => void this.turnTo(page, { motion: false }),
-      });
-      if (this.#life.book) this.#torn.opened(this.#life.book.source);
-    } catch (error) {
-      this.#reportMissingPart(error);
-    }
-  }
-
-  async #typeset(): Promise<void> {
-    const typography = typographyOf(this);
-    // Larger type may have one page shown instead of two, or wider ones.
-    const expected = this.#expectedPage(typography);
-    if (expected.layout === this.shownLayout) this.#pageShown.take();
-    else this.#pageShown.size = expected;
-    try {
-      await this.source?.typeset?.(this.#setFor(typography));
-    } catch (error) {
-      this.#reportMissingPart(error);
-    }
-  }
-
-  #setFor(typography: ChosenTypography): Typography {
-    const { width, height } = this.#pageShown.size;
-    return { ...typography, width, height };
-  }
-
-  #expectedPage(typography: ChosenTypography): ReturnType<typeof expectedPage> {
-    return expectedPage(
-      this,
-      this.#tree.stage,
-      this.source ?? null,
-      this.#viewer?.binding.layout ?? null,
-      typography,
-    );
-  }
-
-  /**
-   * Returns how large pages of flowing text are shown, or are to be if that is of another shape; null while
-   * it is unknown.
-   */
-  #shownPage(): PageSize | null {
-    const width = this.canTypeset ? (this.#viewer?.pageWidth ?? 0) : 0;
-    if (width === 0) return null;
-    const leaf = this.source?.leaf ?? paperback;
-    const expected = this.#expectedPage(typographyOf(this));
-    const height = (width * leaf.height) / leaf.width;
-    const isOther = differs(expected.width / expected.height, width / height);
-    return isOther ? expected : { width, height };
-  }
-
-  #pagesChanged(): void {
+  /** @internal */
+  protected override pagesChanged(): void {
     if (this.#life.book === null) return;
     this.reportLists();
     this.#describe();
@@ -1090,8 +903,8 @@ export class TurnleafBook extends ReaderElement {
     this.emit("error", detail);
   }
 
-  /** Reports that an optional part of the open book is missing. */
-  #reportMissingPart(error: unknown): void {
+  /** @internal */
+  protected override reportMissingPart(error: unknown): void {
     if (!(error instanceof Error)) return;
     const isSentence = error instanceof BookError;
     const { message } = error;

@@ -48,9 +48,9 @@ fn each_flap(
 /// metres, but over the gutter: there points next to each other differ in height by more.
 fn sunk(flap: &FoldOut) -> f32 {
     let points = flap.surface().positions.as_chunks::<3>().0;
-    let mesh = flap.creased_mesh().unwrap();
+    let mesh = flap.paper_mesh().unwrap();
     let panel_of = |point: usize| {
-        let u = mesh.places[2 * point] * flap.panels.count as f32;
+        let u = mesh.places[point][0] * flap.panels.count as f32;
         // None on a fold.
         ((u - u.round()).abs() > 0.05).then_some(u as usize)
     };

@@ -652,7 +652,7 @@ fn drawn_through_itself(
 ) -> f32 {
     let (surface, mesh) = (
         book.surface(index).unwrap(),
-        book.creased_mesh(index).unwrap(),
+        book.paper_mesh(index).unwrap(),
     );
     crate::book::parts_depth::depth_of_parts(surface, mesh, creases)
 }
@@ -676,7 +676,7 @@ fn a_folded_leaf_that_comes_to_lie_through_itself_is_opened_anew() {
         let id = book.pick_up(Side::Right, 40, 41).unwrap();
         let leaf = book.flights.get_mut(id).unwrap().leaf_mut();
         let nodes = leaf.sheet.positions().as_chunks::<3>().0.iter();
-        let beyond = find_beyond(&leaf.sheet.node_triangles(), nodes.len());
+        let beyond = find_beyond(leaf.sheet.node_triangles().into_iter(), nodes.len());
         let tilted: Vec<f32> = nodes
             .zip(&beyond)
             .flat_map(|([x, y, z], is_beyond)| {

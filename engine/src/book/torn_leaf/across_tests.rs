@@ -37,7 +37,8 @@ pub(super) fn holds([from, to]: [[f64; 2]; 2]) -> [[f32; 2]; 2] {
 /// The drawn point next to a place of the page, metres in book space.
 pub(super) fn drawn_at(leaf: &TornLeaf, [u, v]: [f32; 2]) -> [f32; 3] {
     let places = leaf
-        .mesh()
+        .paper_mesh()
+        .unwrap()
         .places
         .iter()
         .zip(leaf.surface().positions.as_chunks::<3>().0);
@@ -107,9 +108,9 @@ fn tear_across(mut leaf: TornLeaf, book: &Book, path: [[f64; 2]; 2]) -> Torn {
 pub(super) fn areas(leaf: &TornLeaf) -> [f64; 2] {
     let x = leaf.surface().positions.as_chunks::<3>().0;
     let mut sums = [0.0; 2];
-    for corners in &leaf.mesh().triangles {
+    for corners in &leaf.paper_mesh().unwrap().triangles {
         let flat = corners.map(|k| {
-            let [u, v] = leaf.mesh().places[k as usize];
+            let [u, v] = leaf.paper_mesh().unwrap().places[k as usize];
             [u * SIZE[0] as f32, v * SIZE[1] as f32, 0.0]
         });
         let bent = corners.map(|k| x[k as usize]);

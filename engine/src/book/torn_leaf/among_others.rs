@@ -87,24 +87,18 @@ impl TornLeaf {
 
     /// The triangles of what is drawn of it.
     pub(super) fn triangles(&self) -> Vec<[u32; 3]> {
-        if let Some(mesh) = self.folded_mesh() {
-            return mesh.triangles.as_chunks::<3>().0.to_vec();
+        match &self.mesh {
+            Some(mesh) => mesh.triangles.clone(),
+            None => grid_triangles(&self.surface),
         }
-        if !self.mesh.triangles.is_empty() {
-            return self.mesh.triangles.clone();
-        }
-        grid_triangles(&self.surface, self.is_crumpled())
     }
 }
 
 /// The triangles of a surface whose points lie row by row: two to a cell, cut along its rising
-/// diagonal; of facets about the middle of four cells, along that to the middle.
-fn grid_triangles(surface: &Surface, has_facets: bool) -> Vec<[u32; 3]> {
+/// diagonal.
+fn grid_triangles(surface: &Surface) -> Vec<[u32; 3]> {
     let columns = surface.columns;
-    let triangles = cells(columns, surface.rows).flat_map(|foot| {
-        let is_odd = (foot / columns + foot % columns) % 2 == 1;
-        cut_cell(foot, columns, has_facets && is_odd)
-    });
+    let triangles = cells(columns, surface.rows).flat_map(|foot| cut_cell(foot, columns, false));
     triangles
         .map(|corners| corners.map(|corner| corner as u32))
         .collect()

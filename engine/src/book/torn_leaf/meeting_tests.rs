@@ -293,7 +293,7 @@ fn both_pieces_of_a_sheet_lie_upon_each_other() {
             piece.update(&book);
             let surface = piece.surface();
             let middle = (surface.rows / 2) * surface.columns + surface.columns / 2;
-            let [u, v] = piece.mesh().places[middle];
+            let [u, v] = piece.paper_mesh().unwrap().places[middle];
             piece.grab(0, u, v);
             piece.pull(0, [0.5, 0.1, 0.04 + 0.02 * k as f32]);
         }

@@ -56,10 +56,10 @@ fn tear_swung(
             to[2] += raised + 0.5 * sign * away.min(0.08);
             leaf.pull(grab, to);
         }
-        let version = leaf.mesh_version();
+        let version = leaf.surface().topology;
         leaf.update(book);
         leaf.step(book, 1);
-        if leaf.mesh_version() != version {
+        if leaf.surface().topology != version {
             count += 1;
             let most = leaf.drawn_offset.by.as_chunks::<3>().0;
             jump = most

@@ -3,6 +3,7 @@
 use super::Sheet;
 use super::crease::FoldLine;
 use super::creased::Creased;
+use super::facets;
 use super::hinges::Hinges;
 use super::material::{Material, cut};
 use super::membrane::Membrane;
@@ -13,6 +14,7 @@ use super::system::System;
 use super::touching::Touching;
 use crate::creased_only::CreasedOnly;
 use crate::grid::Side;
+use crate::paper_mesh::PaperMesh;
 use core::f64::consts::PI;
 
 impl Sheet {
@@ -309,31 +311,42 @@ impl Sheet {
         }
     }
 
-    /// Where the drawn points of a creased sheet lie on the flat paper, u and v of each,
-    /// 0 to 1: some are moved onto creases. None of a sheet without creases, whose points
-    /// lie at the values that it is drawn at.
-    pub fn drawn_places(&self) -> Option<Vec<[f32; 2]>> {
-        let places = &self.creased()?.patches.as_ref()?.drawn.places;
+    /// How its drawn points lie on the flat paper. None of a sheet that is not creased, crumpled or
+    /// torn across, whose points lie at the values that it is drawn at.
+    pub fn paper_mesh(&self) -> Option<PaperMesh> {
+        let creased = self.creased()?;
+        let Some(Patches { drawn, .. }) = &creased.patches else {
+            let (columns, rows) = self.interpolation.samples();
+            return Some(facets::mesh(columns, rows));
+        };
         let size = [self.settings.width, self.settings.height];
-        let part = |place: &[f64; 2]| [0, 1].map(|axis| (place[axis] / size[axis]) as f32);
-        Some(places.iter().map(part).collect())
-    }
-
-    /// The triangles of a creased sheet's drawn surface, by its points, none of which reaches over
-    /// a crease. They go around as u to v does, and each comes with the part of the sheet that
-    /// it belongs to: a set of bits, one for each crease that it lies beyond as seen from the
-    /// spine. None of a sheet without creases.
-    pub fn drawn_triangles(&self) -> Vec<([usize; 3], u16)> {
-        let creased = self.creased();
-        creased.map_or_else(Vec::new, |creased| {
-            let patches = creased.patches.as_ref();
-            patches.map_or_else(Vec::new, |patches| {
-                triangles(&patches.drawn, &creased.lines)
-            })
+        let on_page = |at: &[f64; 2]| match &creased.torn {
+            Some(torn) => torn.frame.on_page(*at),
+            None => [0, 1].map(|axis| at[axis] / size[axis]),
+        };
+        let (triangles, parts) = triangles(drawn, &creased.lines)
+            .into_iter()
+            .map(|(corners, part)| (corners.map(|corner| corner as u32), part))
+            .unzip();
+        let points = drawn.places.len();
+        Some(PaperMesh {
+            places: drawn
+                .places
+                .iter()
+                .map(on_page)
+                .map(|at| at.map(|at| at as f32))
+                .collect(),
+            triangles,
+            parts,
+            tears: creased.torn.as_ref().map_or_else(Vec::new, |torn| {
+                (0..points)
+                    .map(|point| torn.tear_at(drawn, point))
+                    .collect()
+            }),
         })
     }
 
-    /// The triangles of a creased sheet's nodes, as of its [points](Self::drawn_triangles).
+    /// The triangles of a creased sheet's nodes, as of its [points](Self::paper_mesh), and the part of the sheet that each belongs to.
     pub(crate) fn node_triangles(&self) -> Vec<([usize; 3], u16)> {
         let lines = self.creased().map(|creased| &creased.lines);
         lines.map_or_else(Vec::new, |lines| triangles(&self.material, lines))

@@ -5,6 +5,8 @@
 //! longer diagonal: two and two of them are flat, whichever way it folds, and the mesh stays
 //! the same.
 
+use crate::grid::{cells, cut_cell};
+use crate::paper_mesh::PaperMesh;
 use crate::vector::{dot, sub};
 
 /// Points along a side of a mesh of facets over so many nodes: the nodes, and one between two.
@@ -41,4 +43,68 @@ pub(super) fn write(columns: usize, rows: usize, nodes: &[f32], out: &mut [f32])
         };
     }
     debug_assert_eq!(out.len(), points(columns) * points(rows));
+}
+
+/// How such a mesh of `columns` x `rows` points, both odd, lies on its flat paper: each facet, the
+/// two triangles next to a side of a cell of the nodes, has a part of its own, so that light
+/// breaks at its edges.
+pub(super) fn mesh(columns: usize, rows: usize) -> PaperMesh {
+    let even = |at: usize, points: usize| at as f32 / (points - 1) as f32;
+    let mut mesh = PaperMesh {
+        places: (0..columns * rows)
+            .map(|point| [even(point % columns, columns), even(point / columns, rows)])
+            .collect(),
+        ..PaperMesh::default()
+    };
+    for foot in cells(columns, rows) {
+        let [column, row] = [foot % columns, foot / columns];
+        // Each is cut along the diagonal that goes to the middle of the nodes' cell.
+        for corners in cut_cell(foot, columns, (column + row) % 2 == 1) {
+            let lies_on = |is_side: &dyn Fn(usize) -> bool| {
+                corners.iter().filter(|corner| is_side(**corner)).count() == 2
+            };
+            let [first, low] = [column - column % 2, row - row % 2];
+            let side = if lies_on(&|corner| corner / columns == low) {
+                0
+            } else if lies_on(&|corner| corner % columns == first + 2) {
+                1
+            } else if lies_on(&|corner| corner / columns == low + 2) {
+                2
+            } else {
+                3
+            };
+            let cell = (row / 2) * ((columns - 1) / 2) + column / 2;
+            mesh.triangles.push(corners.map(|corner| corner as u32));
+            // Part 0 is what is not folded over, which no facet is.
+            mesh.parts.push((4 * cell + side + 1) as u16);
+        }
+    }
+    mesh
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::collections::BTreeMap;
+
+    #[test]
+    fn facets_cover_the_sheet_once_four_to_a_cell_each_with_a_part_of_its_own() {
+        let mesh = mesh(7, 5);
+        let mut areas: BTreeMap<u16, f32> = BTreeMap::new();
+        for (corners, part) in mesh.parted_triangles() {
+            let [a, b, c] = corners.map(|corner| mesh.places[corner]);
+            let twice = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+            // Around as u to v does.
+            assert!(twice > 0.0);
+            *areas.entry(part).or_default() += 0.5 * twice;
+            // Each reaches the middle of a cell of the nodes.
+            let is_middle = |corner: usize| corner % 7 % 2 == 1 && corner / 7 % 2 == 1;
+            assert_eq!(corners.into_iter().filter(|at| is_middle(*at)).count(), 1);
+        }
+        assert_eq!(
+            areas.keys().copied().collect::<Vec<_>>(),
+            (1..=24).collect::<Vec<_>>()
+        );
+        assert!(areas.values().all(|area| (area - 1.0 / 24.0).abs() < 1e-6));
+    }
 }

@@ -3,6 +3,7 @@
 use super::material::Material;
 use super::*;
 use crate::anchors::creased_strips;
+use crate::paper_mesh::PaperMesh;
 use crate::random::{Random, for_seeds};
 use crate::stock::{GRAVITY, Stock};
 use crate::trials::{PAGE, hanging};
@@ -382,7 +383,7 @@ fn a_folded_corner_is_drawn_with_a_sharp_straight_crease() {
     fold(&mut sheet, &crease);
     let mut surface = Surface::new(2, 2);
     sheet.write_surface(&mut surface);
-    let places = sheet.drawn_places().unwrap();
+    let PaperMesh { places, .. } = sheet.paper_mesh().unwrap();
     let (sin, cos) = (crease.rest as f32).sin_cos();
     for (point, [u, v]) in surface.positions.chunks_exact(3).zip(places) {
         let [x, y] = [u * PAGE[0] as f32, v * PAGE[1] as f32];
@@ -399,18 +400,16 @@ fn a_folded_corner_is_drawn_with_a_sharp_straight_crease() {
     // No triangle reaches over the crease.
     let beyond =
         |[u, v]: [f32; 2]| f64::from(u) * PAGE[0] - PAGE[0] + 0.05 - f64::from(v) * PAGE[1];
-    let places = sheet.drawn_places().unwrap();
-    let triangles = sheet.drawn_triangles();
-    for (corners, part) in &triangles {
-        let sign = if *part == 1 { 1.0 } else { -1.0 };
+    let mesh = sheet.paper_mesh().unwrap();
+    for (corners, part) in mesh.parted_triangles() {
+        let sign = if part == 1 { 1.0 } else { -1.0 };
         assert!(
             corners
                 .iter()
-                .all(|corner| sign * beyond(places[*corner]) > -1e-6)
+                .all(|corner| sign * beyond(mesh.places[*corner]) > -1e-6)
         );
     }
-    assert!(triangles.iter().any(|(_, part)| *part == 0));
-    assert!(triangles.iter().any(|(_, part)| *part == 1));
+    assert!(mesh.parts.contains(&0) && mesh.parts.contains(&1));
 }
 
 #[test]

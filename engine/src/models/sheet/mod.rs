@@ -61,7 +61,6 @@ use membrane::Membrane;
 use sweep::Sweep;
 use system::System;
 pub(crate) use tether::{Tether, Tie};
-pub use torn::TornMesh;
 pub(crate) use torn_grid::TornGrid;
 pub(crate) use touching::Touching;
 pub(crate) use turned_path::wrapped;

@@ -9,7 +9,7 @@ use super::creased::Creased;
 use super::hinges::Hinges;
 use super::material::Material;
 use super::patches::Patches;
-use super::torn::{Piece, Torn, TornMesh};
+use super::torn::{Piece, Torn};
 use super::torn_grid::TornGrid;
 use super::turned_sheet::settings_over;
 use super::{Sheet, SheetSettings, Tie};
@@ -109,25 +109,5 @@ impl Sheet {
         self.torn().map_or_else(Vec::new, |torn| {
             places.iter().map(|at| torn.frame.on_page(*at)).collect()
         })
-    }
-
-    /// Returns how its drawn points lie on the page; nothing of one that is not torn.
-    pub(crate) fn torn_mesh(&self) -> TornMesh {
-        let patches = self.creased().and_then(|creased| creased.patches.as_ref());
-        let (Some(torn), Some(patches)) = (self.torn(), patches) else {
-            return TornMesh::default();
-        };
-        let triangles = self.drawn_triangles().into_iter();
-        let drawn = &patches.drawn;
-        let on_page = |at: &[f64; 2]| torn.frame.on_page(*at).map(|at| at as f32);
-        TornMesh {
-            places: drawn.places.iter().map(on_page).collect(),
-            triangles: triangles
-                .map(|(corners, _)| corners.map(|corner| corner as u32))
-                .collect(),
-            tears: (0..drawn.places.len())
-                .map(|point| torn.tear_at(drawn, point))
-                .collect(),
-        }
     }
 }

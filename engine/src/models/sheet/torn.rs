@@ -35,18 +35,6 @@ pub(super) enum Piece {
     Head,
 }
 
-/// How a torn sheet's drawn points lie on the page.
-#[derive(Clone, Debug, Default)]
-pub struct TornMesh {
-    /// u and v of each point on the page.
-    pub places: Vec<[f32; 2]>,
-    /// The points of each triangle.
-    pub triangles: Vec<[u32; 3]>,
-    /// For each point how far it lies on its own side of the path, and how far along it from
-    /// where the tear begins, metres; then 1 for the piece on the left of the path, and -1.
-    pub tears: Vec<[f32; 3]>,
-}
-
 impl Torn {
     /// The tear of a grid of which both pieces are there.
     pub fn of(grid: &TornGrid) -> Self {
@@ -123,7 +111,7 @@ impl Torn {
         }
     }
 
-    /// Where a drawn point lies by the tear: see [`TornMesh::tears`].
+    /// Where a drawn point lies by the tear: see [`PaperMesh::tears`](crate::PaperMesh::tears).
     pub fn tear_at(&self, drawn: &Material, point: usize) -> [f32; 3] {
         let row = point / drawn.columns;
         let is_head = match self.piece {

@@ -1,7 +1,7 @@
 /** The strain of a leaf's cells, as colours on its paper. */
 
 import { DataTexture, LinearFilter, SRGBColorSpace } from "three";
-import type { CreasedMesh, LeafSurface } from "turnleaf/models";
+import type { LeafSurface, PaperMesh } from "turnleaf/models";
 import { leafSize } from "./variants.ts";
 
 /** What is read of a drawn leaf. */
@@ -18,7 +18,7 @@ const pressed = [32, 82, 160] as const;
 export function strainOfCells({ columns, rows, positions, creased }: DrawnGrid): Float32Array {
   const [across, up] = [leafSize.width / (columns - 1), leafSize.height / (rows - 1)];
   // The points of a creased leaf are moved on the flat paper.
-  const apart = ({ places }: CreasedMesh, a: number, b: number): number =>
+  const apart = ({ places }: PaperMesh, a: number, b: number): number =>
     Math.hypot(
       leafSize.width * (places[2 * b] - places[2 * a]),
       leafSize.height * (places[2 * b + 1] - places[2 * a + 1]),

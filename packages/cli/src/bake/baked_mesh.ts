@@ -3,7 +3,7 @@
  * them. On a crease a point has a vertex for each side, with a normal of its own.
  */
 
-import { type CreasedMesh, splitMesh, writeMeshNormals } from "turnleaf/keyframes";
+import { type PaperMesh, splitMesh, writeMeshNormals } from "turnleaf/keyframes";
 import { normalsOf, type Points } from "./baked_turn.ts";
 
 /** A mesh, the same in every frame. */
@@ -19,7 +19,7 @@ export interface BakedMesh {
 }
 
 /** Returns the mesh of a leaf drawn at columns and rows, or moved onto its creases. */
-export function meshOf(points: Points, creased: CreasedMesh | undefined): BakedMesh {
+export function meshOf(points: Points, creased: PaperMesh | undefined): BakedMesh {
   return creased ? creasedMesh(creased) : gridMesh(points);
 }
 
@@ -49,7 +49,7 @@ function gridMesh(grid: Points): BakedMesh {
   };
 }
 
-function creasedMesh(mesh: CreasedMesh): BakedMesh {
+function creasedMesh(mesh: PaperMesh): BakedMesh {
   const { points, index } = splitMesh(mesh);
   const faces: number[][] = [];
   for (let at = 0; at < index.length; at += 3) faces.push([...index.subarray(at, at + 3)]);

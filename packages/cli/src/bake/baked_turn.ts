@@ -1,7 +1,7 @@
 /** A turn simulated from its beginning to its rest, and reduced to key frames. */
 
 import { writeNormals } from "turnleaf/keyframes";
-import { type CreasedMesh, type LeafCrease, LooseLeaf, leafStocks } from "turnleaf/models";
+import { type LeafCrease, LooseLeaf, leafStocks, type PaperMesh } from "turnleaf/models";
 import { Problem } from "../problem.ts";
 import type { BakeCommand } from "./bake_arguments.ts";
 
@@ -28,7 +28,7 @@ export interface Frame {
 export interface Turn {
   readonly frames: Frame[];
   /** How the points lie on the flat paper if the leaf is creased. */
-  readonly creased: CreasedMesh | undefined;
+  readonly creased: PaperMesh | undefined;
 }
 
 /** Where the points are on the leaf: u of each column and v of each row. */

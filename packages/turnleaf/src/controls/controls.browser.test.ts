@@ -118,6 +118,21 @@ test("the panel takes the focus and gives it back", async () => {
   ]);
 });
 
+test("Escape leads back to the book, whose keys turn, where the panel was opened by a pointer or a key of the book's", async () => {
+  const { book, root } = addFakeBook();
+  await userEvent.click(named(root, "Search"));
+  await eventually(() => active(root)).toBe("Find in this book");
+  await userEvent.keyboard("{Escape}");
+  expect([active(root), frameOf(root)?.matches(":focus-visible")]).toEqual(["book", false]);
+  await userEvent.keyboard(" /{Escape} ");
+  const turns = () => book.asked.filter((asked) => asked === "next").length;
+  expect(turns()).toBe(2);
+  // From beside the book it does so too.
+  named(root, "Contents").focus();
+  await userEvent.keyboard("{Escape} ");
+  expect(turns()).toBe(3);
+});
+
 test("what the book's owner wants to be shown stands under the contents", async () => {
   const rights = "https://creativecommons.org/licenses/by/4.0/";
   const { root } = addFakeBook(780, {

@@ -91,25 +91,35 @@ function build<Hit extends FoundPlace>(
   const { signal } = ended;
   const isNarrow = (): boolean => frame.clientWidth < narrow;
 
+  /** Whether the panel was opened by the keyboard at a button of the toolbar. */
+  let isOpenedByKey = false;
+  const hasFocus = (part: HTMLElement): boolean =>
+    part.contains((frame.getRootNode() as ShadowRoot).activeElement);
+
   const close = (): void => {
     const { tab } = panel;
     if (tab === null) return;
-    const hadFocus = panel.element.contains((frame.getRootNode() as ShadowRoot).activeElement);
+    const hadFocus = hasFocus(panel.element);
     panel.close();
-    // The focus returns to the button that opens the panel.
-    if (hadFocus) (bar.buttonOf(tab) ?? book).focus({ preventScroll: true });
+    // Back to where the reader was: whoever goes by keys at the button, others in the book.
+    const opener = isOpenedByKey ? bar.buttonOf(tab) : undefined;
+    // A frame around the book would stand there while it is read on.
+    const how = { preventScroll: true, focusVisible: isOpenedByKey };
+    if (hadFocus) (opener ?? book).focus(how);
   };
   const picked = (): void => {
     if (!isNarrow()) return;
     panel.close();
     book.focus({ preventScroll: true });
   };
-  const toggle = (tab: Tab): void => {
+  const open = (tab: Tab, opener: HTMLElement | null): void => {
+    isOpenedByKey = opener?.matches(":focus-visible") ?? false;
+    panel.open(tab);
+    panel.focus();
+  };
+  const toggle = (tab: Tab, opener: HTMLElement): void => {
     if (panel.tab === tab) close();
-    else {
-      panel.open(tab);
-      panel.focus();
-    }
+    else open(tab, opener);
   };
 
   const views = {
@@ -170,13 +180,12 @@ function build<Hit extends FoundPlace>(
   listenToKeys(
     book,
     {
-      search: () => {
-        panel.open("search");
-        panel.focus();
-      },
+      search: () => open("search", null),
       escape: () => {
         const wasOpen = panel.tab !== null;
         close();
+        const isBeside = hasFocus(bar.element) || hasFocus(pages.element);
+        if (!wasOpen && isBeside) book.focus({ preventScroll: true });
         return wasOpen;
       },
       zoom: (by) => {

@@ -2,7 +2,7 @@
 
 import { afterEach, expect, test, vi } from "vitest";
 import type { UV } from "../engine/book_engine.ts";
-import type { CreasedMesh, Surface } from "../engine/shapes.ts";
+import type { PaperMesh, Surface } from "../engine/shapes.ts";
 import { clock } from "../for_tests/clock.ts";
 import { tearableBook, tearOutPage5 } from "../for_tests/tearable_books.ts";
 import { TestPointer } from "../for_tests/test_pointer.ts";
@@ -37,7 +37,7 @@ function areaOf({ positions, columns, rows, creased }: Surface): number {
 
 /** Returns u and v of the places on the rim along which a piece is torn, from where the tear began, and its length, metres. */
 function tornRim({ creased }: Surface): { readonly places: UV[]; readonly long: number } {
-  const { places, tears = new Float32Array() } = creased as CreasedMesh;
+  const { places, tears = new Float32Array() } = creased as PaperMesh;
   const points = [...Array(places.length / 2).keys()].filter((point) => tears[3 * point] < 0);
   points.sort((a, b) => tears[3 * a + 1] - tears[3 * b + 1]);
   return {

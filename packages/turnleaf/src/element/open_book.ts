@@ -11,6 +11,7 @@ import type { Viewer } from "../viewer/viewer.ts";
 import { languageOf } from "../words/languages.ts";
 import { allowsGesture } from "./attribute_options.ts";
 import type { BookElements, GoTo } from "./book_elements.ts";
+import { layoutLists, type PageLists } from "./page_lists.ts";
 import { pageTap } from "./page_tap.ts";
 import { ReadableBook } from "./readable_book.ts";
 import type { RollView } from "./roll_view.ts";
@@ -29,6 +30,8 @@ export interface OpenBookHooks {
   readonly calm: () => boolean;
   /** The pages of the open book, so many before, lie elsewhere: it is about to be bound anew. */
   renumbered(moved: NewIndex, pageCount: number): void;
+  /** Returns what names pages. */
+  readonly lists: () => PageLists;
   /** An optional part of the viewer could not be loaded. */
   readonly missingPart: (error: unknown) => void;
 }
@@ -54,7 +57,7 @@ export class OpenBook {
   readonly #element: HTMLElement;
   readonly #stage: HTMLElement;
   readonly #input: Input;
-  readonly #renumbered: OpenBookHooks["renumbered"];
+  readonly #hooks: Pick<OpenBookHooks, "renumbered" | "lists">;
   readonly #plane: ElementPlane;
   readonly #ended = new AbortController();
 
@@ -65,7 +68,7 @@ export class OpenBook {
     hooks: OpenBookHooks,
   ) {
     const { turn, announceZoom, calm, goTo, missingPart, plane } = hooks;
-    this.#renumbered = (moved, pageCount) => hooks.renumbered(moved, pageCount);
+    this.#hooks = hooks;
     this.source = source;
     this.viewer = viewer;
     this.canvas = canvas;
@@ -99,9 +102,11 @@ export class OpenBook {
       const { pageCount } = this.source;
       const moved = this.elements.after(change);
       // Changes that wait for the same rest are made one after the other, and then reported.
-      this.#renumbered(moved, pageCount);
+      this.#hooks.renumbered(moved, pageCount);
       followed?.();
-      return moved;
+      const lists = this.#hooks.lists();
+      const folds = [...lists.dogEars, ...lists.folds];
+      return { moved, lists: layoutLists(lists), folds };
     });
     if (isMade) this.reading.changed();
     return isMade;

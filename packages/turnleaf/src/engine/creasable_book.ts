@@ -17,7 +17,7 @@ import { type FlapExports, flapsOf } from "./flap_sheets.ts";
 import { leafPapers } from "./leaf_papers.ts";
 import { areFinite, whole } from "./numbers.ts";
 import type { Side } from "./phases.ts";
-import type { Crease, CreasedMesh, Surface } from "./shapes.ts";
+import type { Crease, LeafPapers } from "./shapes.ts";
 import { type TearingExports, tearingOf } from "./torn_sheets.ts";
 import { WasmBook } from "./wasm_book.ts";
 
@@ -28,11 +28,6 @@ interface CreasingExports extends TearingExports, FlapExports {
   tl_book_press(book: number, leaf: number, crease: number, rest: number): void;
   tl_book_wait(book: number, seconds: number): void;
   tl_book_lies_creased(book: number, side: Side): number;
-  tl_book_places(book: number, index: number): number;
-  tl_book_corners(book: number, index: number): number;
-  tl_book_parts(book: number, index: number): number;
-  tl_book_triangles(book: number, index: number): number;
-  tl_book_topology(book: number, index: number): number;
 }
 
 /** Creases of a leaf at most, and the numbers of each: two places and an angle. */
@@ -46,15 +41,13 @@ export class CreasableBook extends WasmBook {
   readonly creases: CreasedLeaves;
   readonly tearing: LeafTearing;
   readonly flap: (place: FlapPlace) => FlapSheet | null;
-  /** The meshes of creased leaves, each with its version, by the address of their positions. */
-  readonly #meshes = new Map<number, readonly [version: number, mesh: CreasedMesh]>();
+  protected override readonly papers: LeafPapers = leafPapers;
 
   private constructor(wasm: CreasingExports, size: BookSize) {
     super(wasm, size);
     const { book } = this;
-    const grid = { columns: wasm.tl_book_columns(book), rows: wasm.tl_book_rows(book) };
-    this.tearing = tearingOf(wasm, book, this.tick, grid);
-    this.flap = flapsOf(wasm, book, this.tick, grid);
+    this.tearing = tearingOf(wasm, book, this.tick);
+    this.flap = flapsOf(wasm, book, this.tick);
     this.creases = {
       crease: (leaf, creases) => {
         const numbers = creases.flatMap(numbersOf);
@@ -80,34 +73,8 @@ export class CreasableBook extends WasmBook {
     return new CreasableBook(this.#wasm, size);
   }
 
-  override surface(index: number): Surface {
-    return { ...super.surface(index), creased: this.#mesh(index), papers: leafPapers };
-  }
-
   get #wasm(): CreasingExports {
     return this.wasm as CreasingExports;
-  }
-
-  #mesh(index: number): CreasedMesh | undefined {
-    const wasm = this.#wasm;
-    const at = wasm.tl_book_places(this.book, index);
-    if (at === 0) return undefined;
-    const version = wasm.tl_book_topology(this.book, index);
-    const points = wasm.tl_book_positions(this.book, index);
-    const known = this.#meshes.get(points);
-    if (known?.[0] === version) return known[1];
-    const { buffer } = wasm.memory;
-    const { book } = this;
-    const numbers = 2 * wasm.tl_book_columns(book) * wasm.tl_book_rows(book);
-    const count = wasm.tl_book_triangles(book, index);
-    // Copied, as the engine's memory moves when it grows.
-    const mesh = {
-      places: new Float32Array(buffer, at, numbers).slice(),
-      triangles: new Uint32Array(buffer, wasm.tl_book_corners(book, index), 3 * count).slice(),
-      parts: new Uint16Array(buffer, wasm.tl_book_parts(book, index), count).slice(),
-    };
-    this.#meshes.set(points, [version, mesh]);
-    return mesh;
   }
 }
 

@@ -1,9 +1,11 @@
 /** Flaps of fold-outs in the engine through WASM. */
 
+import { readDrawn } from "../drawn_record.ts";
 import type { FlapPlace, FlapSheet } from "./book_engine.ts";
+import { DrawnSurface } from "./drawn_surface.ts";
+import { leafPapers } from "./leaf_papers.ts";
 import { areFinite, clamp, whole, wholeTicks } from "./numbers.ts";
-import type { CreasedMesh, Surface, Vec3 } from "./shapes.ts";
-import { SheetSurface, type SurfaceGrid } from "./sheet_surface.ts";
+import type { Surface, Vec3 } from "./shapes.ts";
 import type { Exports } from "./wasm_book.ts";
 
 /** What the engine exports for flaps. */
@@ -25,14 +27,7 @@ export interface FlapExports extends Exports {
   tl_flap_turn(flap: number, isToOpen: number): void;
   tl_flap_angle(flap: number): number;
   tl_flap_asleep(flap: number): number;
-  tl_flap_positions(flap: number): number;
-  tl_flap_normals(flap: number): number;
-  tl_flap_version(flap: number): number;
-  tl_flap_places(flap: number): number;
-  tl_flap_corners(flap: number): number;
-  tl_flap_parts(flap: number): number;
-  tl_flap_triangles(flap: number): number;
-  tl_flap_caliper(flap: number): number;
+  tl_flap_surface(flap: number): number;
 }
 
 const farthest = 1000;
@@ -49,27 +44,12 @@ export function flapsOf(
   wasm: FlapExports,
   book: number,
   tick: number,
-  grid: SurfaceGrid,
 ): (place: FlapPlace) => FlapSheet | null {
   return ({ side, fold, width, panels, table, rim }) => {
     if (!areFinite([fold, width, table, rim])) return null;
     const count = whole(panels, mostPanels);
     const flap = wasm.tl_flap_new(book, side, fold, width, count, table, rim);
-    return flap === 0 ? null : new WasmFlap(wasm, book, flap, tick, grid);
-  };
-}
-
-/** Returns how the mesh of a flap with several panels lies on its flat paper. */
-function meshOf(wasm: FlapExports, flap: number, grid: SurfaceGrid): CreasedMesh | undefined {
-  const count = wasm.tl_flap_triangles(flap);
-  if (count === 0) return undefined;
-  const { buffer } = wasm.memory;
-  const numbers = 2 * grid.columns * grid.rows;
-  // Copied, as the engine's memory moves when it grows.
-  return {
-    places: new Float32Array(buffer, wasm.tl_flap_places(flap), numbers).slice(),
-    triangles: new Uint32Array(buffer, wasm.tl_flap_corners(flap), 3 * count).slice(),
-    parts: new Uint16Array(buffer, wasm.tl_flap_parts(flap), count).slice(),
+    return flap === 0 ? null : new WasmFlap(wasm, book, flap, tick);
   };
 }
 
@@ -78,14 +58,14 @@ class WasmFlap implements FlapSheet {
   readonly #book: number;
   readonly #flap: number;
   readonly #tick: number;
-  readonly #surface: SheetSurface;
+  readonly #surface: DrawnSurface;
 
-  constructor(wasm: FlapExports, book: number, flap: number, tick: number, grid: SurfaceGrid) {
+  constructor(wasm: FlapExports, book: number, flap: number, tick: number) {
     this.#wasm = wasm;
     this.#book = book;
     this.#flap = flap;
     this.#tick = tick;
-    this.#surface = new SheetSurface(wasm.memory, grid, meshOf(wasm, flap, grid));
+    this.#surface = new DrawnSurface(leafPapers);
   }
 
   get isAsleep(): boolean {
@@ -97,13 +77,8 @@ class WasmFlap implements FlapSheet {
   }
 
   get surface(): Surface {
-    const wasm = this.#wasm;
-    const [positions, normals] = [
-      wasm.tl_flap_positions(this.#flap),
-      wasm.tl_flap_normals(this.#flap),
-    ];
-    const version = wasm.tl_flap_version(this.#flap);
-    return this.#surface.at(positions, normals, version, wasm.tl_flap_caliper(this.#flap));
+    const at = this.#wasm.tl_flap_surface(this.#flap);
+    return this.#surface.at(readDrawn(this.#wasm.memory, at));
   }
 
   grab(u: number, v: number): void {

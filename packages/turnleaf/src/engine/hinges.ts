@@ -1,6 +1,6 @@
 /** How the parts of a creased leaf hang together: each is creased to one that is nearer to the spine. */
 
-import type { CreasedMesh } from "../creased_mesh.ts";
+import type { PaperMesh } from "../paper_mesh.ts";
 import type { Surface } from "./shapes.ts";
 
 /** A part of a leaf, the one that it is creased to on the way to the spine, and triangles on both sides of the crease. */
@@ -11,10 +11,10 @@ export interface Hinge {
 }
 
 /** The hinges of each mesh. */
-const known = new WeakMap<CreasedMesh, readonly Hinge[]>();
+const known = new WeakMap<PaperMesh, readonly Hinge[]>();
 
 /** Returns the hinges of a mesh, each after that of its parent. */
-export function hingesIn(creased: CreasedMesh): readonly Hinge[] {
+export function hingesIn(creased: PaperMesh): readonly Hinge[] {
   let hinges = known.get(creased);
   if (hinges === undefined) {
     hinges = hingesOf(creased);
@@ -35,7 +35,7 @@ export function foldedParts({ positions, creased }: Surface): readonly number[] 
 }
 
 /** Returns whether a part comes back over the one that it is creased to: by more than a right angle. */
-export function isShut({ sides }: Hinge, creased: CreasedMesh, positions: Float32Array): boolean {
+export function isShut({ sides }: Hinge, creased: PaperMesh, positions: Float32Array): boolean {
   let facing = 0;
   for (const [own, parents] of sides) {
     const [a, b] = [own, parents].map((triangle) => normalOf(creased, positions, triangle));
@@ -46,7 +46,7 @@ export function isShut({ sides }: Hinge, creased: CreasedMesh, positions: Float3
 
 /** Returns the normal of a triangle on the recto's side, of no particular length. */
 export function normalOf(
-  { triangles }: CreasedMesh,
+  { triangles }: PaperMesh,
   positions: Float32Array,
   triangle: number,
 ): readonly [number, number, number] {
@@ -58,7 +58,7 @@ export function normalOf(
 }
 
 /** Finds the hinges between the parts of a mesh, from the part at the spine outward. */
-function hingesOf({ triangles, parts }: CreasedMesh): readonly Hinge[] {
+function hingesOf({ triangles, parts }: PaperMesh): readonly Hinge[] {
   const edges = new Map<string, number>();
   const sides = new Map<string, [number, number][]>();
   for (let triangle = 0; triangle < parts.length; triangle++) {

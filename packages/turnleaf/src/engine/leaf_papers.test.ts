@@ -1,13 +1,13 @@
 /** What of leaves lies on other paper, and how it shades it. */
 
 import { expect, test } from "vitest";
-import type { CreasedMesh } from "../creased_mesh.ts";
+import type { PaperMesh } from "../paper_mesh.ts";
 import { leafPapers } from "./leaf_papers.ts";
 import { outlinesOf } from "./part_outlines.ts";
 import type { Surface } from "./shapes.ts";
 
 /** A square whose corner at (1, 0) can be folded along the line from (0.7, 0) to (1, 0.3). */
-const mesh: CreasedMesh = {
+const mesh: PaperMesh = {
   places: Float32Array.from([0, 0, 0.7, 0, 1, 0, 1, 0.3, 1, 1, 0, 1]),
   triangles: Uint32Array.from([0, 1, 3, 0, 3, 4, 0, 4, 5, 1, 2, 3]),
   parts: Uint16Array.from([0, 0, 0, 1]),

@@ -1,6 +1,6 @@
 /** The outlines of the parts of leaves between creases: straight edges, as shadows need them. */
 
-import type { CreasedMesh } from "../creased_mesh.ts";
+import type { PaperMesh } from "../paper_mesh.ts";
 import { mostPaperEdges, type Surface } from "./shapes.ts";
 
 /** An edge of a part: the points from one corner to the next. */
@@ -24,7 +24,7 @@ const crooked = 0.01;
 /** Mean of how far in paper is ragged where it is torn from the spine, metres, as `raggedness` in the shader has it. */
 const ragged = 0.00085;
 
-const ofMeshes = new WeakMap<CreasedMesh, readonly PartOutline[]>();
+const ofMeshes = new WeakMap<PaperMesh, readonly PartOutline[]>();
 const ofGrids = new Map<string, readonly PartOutline[]>();
 
 /** Returns the outlines of a leaf's parts; those of a leaf that is not creased, from its grid. */
@@ -56,7 +56,7 @@ function gridOutline(columns: number, rows: number): PartOutline {
 }
 
 /** Traces the rims of a mesh's parts. */
-function traced(mesh: CreasedMesh): PartOutline[] {
+function traced(mesh: PaperMesh): PartOutline[] {
   const { triangles, parts } = mesh;
   const key = (a: number, b: number) => a * 0x10000 + b;
   /** The part to the left of each edge of a triangle. */
@@ -110,7 +110,7 @@ function traced(mesh: CreasedMesh): PartOutline[] {
  * Returns the places in a closed chain of points that are the corners of its outline: those that
  * change its area least go one after the other (Visvalingam and Whyatt 1993), hollows first.
  */
-function cornersOf({ places }: CreasedMesh, loop: readonly number[]): readonly number[] {
+function cornersOf({ places }: PaperMesh, loop: readonly number[]): readonly number[] {
   const corners = [...loop.keys()];
   const [u, v] = [0, 1].map((axis) => (k: number) => places[2 * loop[k] + axis]);
   /** Twice the area of the triangle of three places. */
@@ -129,7 +129,7 @@ function cornersOf({ places }: CreasedMesh, loop: readonly number[]): readonly n
 }
 
 /** Returns how far within its points an edge that is torn ends, metres. */
-function insetOf({ places, tears }: CreasedMesh, points: readonly number[]): number {
+function insetOf({ places, tears }: PaperMesh, points: readonly number[]): number {
   if (points.every((point) => places[2 * point] === 0)) return ragged;
   if (tears === undefined) return 0;
   return points.reduce((sum, point) => sum - Math.min(0, tears[3 * point]), 0) / points.length;

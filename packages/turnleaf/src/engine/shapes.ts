@@ -5,10 +5,10 @@
  * the pages at y = 0.
  */
 
-import type { CreasedMesh } from "../creased_mesh.ts";
+import type { PaperMesh } from "../paper_mesh.ts";
 import { presetStocks } from "../stocks.ts";
 
-export type { CreasedMesh };
+export type { PaperMesh };
 
 /** The drawn mesh of a leaf in flight, row by row from the foot; a row runs from the spine to the fore-edge. */
 export interface Surface {
@@ -25,7 +25,7 @@ export interface Surface {
   /** Metres, if the leaf is so thick that its edges are visible. */
   readonly thickness?: number;
   /** Where its points lie on the flat paper, if the leaf is creased; another object when that changes. */
-  readonly creased?: CreasedMesh | undefined;
+  readonly creased?: PaperMesh | undefined;
   /** How far a sheet is torn across, metres along the tear; infinite if it is a piece. */
   readonly opened?: number | undefined;
   /** Its place among loose sheets, from the table up, if it is one. */

@@ -1,10 +1,11 @@
 /** Leaves that are torn out of a book in the engine through WASM. */
 
+import { readDrawn } from "../drawn_record.ts";
 import type { BoundRows, LeafTearing, TearOptions, TornSheet, UV } from "./book_engine.ts";
-import { facetsOf } from "./facets.ts";
+import { DrawnSurface } from "./drawn_surface.ts";
+import { leafPapers } from "./leaf_papers.ts";
 import { areFinite, clamp, whole, wholeTicks } from "./numbers.ts";
-import { type CreasedMesh, type Surface, tearLines, type Vec3 } from "./shapes.ts";
-import { SheetSurface, type SurfaceGrid } from "./sheet_surface.ts";
+import { type Surface, tearLines, type Vec3 } from "./shapes.ts";
 import type { Exports } from "./wasm_book.ts";
 
 /** What the engine exports for torn leaves. */
@@ -43,20 +44,9 @@ export interface TearingExports extends Exports {
   tl_torn_part(leaf: number): number;
   tl_torn_opened(leaf: number): number;
   tl_torn_layer(leaf: number): number;
-  tl_torn_places(leaf: number): number;
-  tl_torn_tears(leaf: number): number;
-  tl_torn_corners(leaf: number): number;
-  tl_torn_triangles(leaf: number): number;
-  tl_torn_parts(leaf: number): number;
-  tl_torn_mesh_version(leaf: number): number;
   tl_torn_work(leaf: number): number;
   tl_torn_asleep(leaf: number): number;
-  tl_torn_columns(leaf: number): number;
-  tl_torn_rows(leaf: number): number;
-  tl_torn_positions(leaf: number): number;
-  tl_torn_normals(leaf: number): number;
-  tl_torn_version(leaf: number): number;
-  tl_torn_caliper(leaf: number): number;
+  tl_torn_surface(leaf: number): number;
 }
 
 /** Rows of a leaf's nodes. */
@@ -73,21 +63,16 @@ const farthest = 1000;
  *
  * @param book the book's address there
  */
-export function tearingOf(
-  wasm: TearingExports,
-  book: number,
-  tick: number,
-  grid: SurfaceGrid,
-): LeafTearing {
+export function tearingOf(wasm: TearingExports, book: number, tick: number): LeafTearing {
   return {
     tear: (id, { line, bound = [0, nodeRows], table, rim }: TearOptions) => {
       if (!areFinite([table, rim])) return null;
       const [low, high] = bound.map((row) => whole(row, nodeRows));
       const number = tearLines.indexOf(line);
       const at = wasm.tl_torn_new(book, whole(id, mostIds), number, low, high, table, rim);
-      return at === 0 ? null : new WasmTornSheet(wasm, at, grid);
+      return at === 0 ? null : new WasmTornSheet(wasm, at);
     },
-    rehearse: () => rehearsed(wasm, book, grid),
+    rehearse: () => rehearsed(wasm, book),
     step: (sheet, ticks) => {
       if (sheet instanceof WasmTornSheet) sheet.step(book, wholeTicks(ticks, tick));
     },
@@ -116,10 +101,10 @@ function writeSheets(wasm: TearingExports, sheets: readonly TornSheet[]): number
  *
  * @param book the book's address
  */
-function* rehearsed(wasm: TearingExports, book: number, grid: SurfaceGrid): Generator<void> {
+function* rehearsed(wasm: TearingExports, book: number): Generator<void> {
   const blank = (): WasmTornSheet | null => {
     const at = wasm.tl_torn_blank(book, 0, 0);
-    return at === 0 ? null : new WasmTornSheet(wasm, at, grid);
+    return at === 0 ? null : new WasmTornSheet(wasm, at);
   };
   const torn = blank();
   yield;
@@ -141,16 +126,12 @@ function* rehearsed(wasm: TearingExports, book: number, grid: SurfaceGrid): Gene
 class WasmTornSheet implements TornSheet {
   readonly #wasm: TearingExports;
   readonly #leaf: number;
-  #surface: SheetSurface;
-  #isAcross = false;
-  #meshVersion = 0;
+  readonly #surface: DrawnSurface;
 
-  constructor(wasm: TearingExports, leaf: number, grid: SurfaceGrid) {
+  constructor(wasm: TearingExports, leaf: number) {
     this.#wasm = wasm;
     this.#leaf = leaf;
-    // Drawn by even rows and columns but where the leaf was folded when it was torn out.
-    const mesh = wasm.tl_torn_triangles(leaf) > 0 ? this.#mesh() : undefined;
-    this.#surface = new SheetSurface(wasm.memory, grid, mesh);
+    this.#surface = new DrawnSurface(leafPapers);
   }
 
   /** Its address in the engine. */
@@ -172,21 +153,10 @@ class WasmTornSheet implements TornSheet {
   }
 
   get surface(): Surface {
-    const wasm = this.#wasm;
-    // The path of a tear that turns has turned.
-    if (this.#isAcross && wasm.tl_torn_mesh_version(this.#leaf) !== this.#meshVersion) {
-      this.#drawAcross();
-    }
-    const [positions, normals] = [
-      wasm.tl_torn_positions(this.#leaf),
-      wasm.tl_torn_normals(this.#leaf),
-    ];
-    const version = wasm.tl_torn_version(this.#leaf);
-    const opened = this.#isAcross ? wasm.tl_torn_opened(this.#leaf) : undefined;
-    const caliper = wasm.tl_torn_caliper(this.#leaf);
-    return this.#surface.at(positions, normals, version, caliper, {
-      opened,
-      layer: wasm.tl_torn_layer(this.#leaf) >>> 0,
+    const [wasm, leaf] = [this.#wasm, this.#leaf];
+    return this.#surface.at(readDrawn(wasm.memory, wasm.tl_torn_surface(leaf)), {
+      opened: wasm.tl_torn_opened(leaf),
+      layer: wasm.tl_torn_layer(leaf) >>> 0,
     });
   }
 
@@ -212,59 +182,21 @@ class WasmTornSheet implements TornSheet {
   tearAcross(from: UV, to: UV, turns = false): boolean {
     const [u0, v0, u1, v1] = [...from, ...to].map((at) => clamp(at, 0, 1));
     if (!areFinite([u0, v0, u1, v1])) return false;
-    const begins = this.#wasm.tl_torn_across(this.#leaf, u0, v0, u1, v1, turns ? 1 : 0);
-    if (begins === 0) return false;
-    this.#drawAcross();
-    return true;
+    return this.#wasm.tl_torn_across(this.#leaf, u0, v0, u1, v1, turns ? 1 : 0) !== 0;
   }
 
   get holdsAcross(): boolean {
-    return this.#isAcross && this.#wasm.tl_torn_opened(this.#leaf) < Infinity;
+    const { opened = Infinity } = this.surface;
+    return opened < Infinity;
   }
 
   part(): TornSheet | null {
     const at = this.#wasm.tl_torn_part(this.#leaf);
-    if (at === 0) return null;
-    this.#drawAcross();
-    const other = new WasmTornSheet(this.#wasm, at, { columns: 0, rows: 0 });
-    other.#drawAcross();
-    return other;
-  }
-
-  /** Draws it from now on by the mesh of a sheet that is torn across. */
-  #drawAcross(): void {
-    const columns = this.#wasm.tl_torn_columns(this.#leaf);
-    const rows = this.#wasm.tl_torn_rows(this.#leaf);
-    this.#surface = new SheetSurface(this.#wasm.memory, { columns, rows }, this.#mesh());
-    this.#isAcross = true;
-    this.#meshVersion = this.#wasm.tl_torn_mesh_version(this.#leaf);
-  }
-
-  /** The mesh of a sheet that is folded or torn across: copied, as the engine's memory moves when it grows. */
-  #mesh(): CreasedMesh {
-    const [wasm, leaf] = [this.#wasm, this.#leaf];
-    const { buffer } = wasm.memory;
-    const points = wasm.tl_torn_columns(leaf) * wasm.tl_torn_rows(leaf);
-    const count = wasm.tl_torn_triangles(leaf);
-    const parts = wasm.tl_torn_parts(leaf);
-    const floats = (at: number, each: number) =>
-      new Float32Array(buffer, at, each * points).slice();
-    return {
-      places: floats(wasm.tl_torn_places(leaf), 2),
-      triangles: new Uint32Array(buffer, wasm.tl_torn_corners(leaf), 3 * count).slice(),
-      ...(parts === 0
-        ? { parts: new Uint16Array(count), tears: floats(wasm.tl_torn_tears(leaf), 3) }
-        : { parts: new Uint16Array(buffer, parts, count).slice() }),
-    };
+    return at === 0 ? null : new WasmTornSheet(this.#wasm, at);
   }
 
   crumple(): boolean {
-    const wasm = this.#wasm;
-    if (wasm.tl_torn_crumple(this.#leaf) === 0) return false;
-    const columns = wasm.tl_torn_columns(this.#leaf);
-    const rows = wasm.tl_torn_rows(this.#leaf);
-    this.#surface = new SheetSurface(wasm.memory, { columns, rows }, facetsOf(columns, rows));
-    return true;
+    return this.#wasm.tl_torn_crumple(this.#leaf) !== 0;
   }
 
   get isCrumpled(): boolean {

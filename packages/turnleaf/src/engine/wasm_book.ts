@@ -3,11 +3,14 @@
  * frees all of its memory. Only numbers and flat arrays cross the boundary.
  */
 
+import { readDrawn } from "../drawn_record.ts";
 import type { BookEngine, BookSize } from "./book_engine.ts";
+import { DrawnSurface } from "./drawn_surface.ts";
 import { engineCode } from "./machine_code.ts";
 import { areFinite, clamp, isGrab, turnSeconds, whole, wholeTicks } from "./numbers.ts";
 import type { Cover, Phase, Side } from "./phases.ts";
 import {
+  type LeafPapers,
   type LeafStockName,
   leafStockNames,
   type Pile,
@@ -64,11 +67,8 @@ export interface Exports {
   tl_book_rows(book: number): number;
   tl_book_layers(book: number): number;
   tl_book_u(book: number): number;
-  tl_book_positions(book: number, index: number): number;
+  tl_book_surface(book: number, index: number): number;
   tl_book_dress(book: number, index: number): number;
-  tl_book_normals(book: number, index: number): number;
-  tl_book_caliper(book: number, index: number): number;
-  tl_book_version(book: number, index: number): number;
   tl_book_pile(book: number, side: Side): number;
   tl_board_hold(book: number, cover: Cover, angle: number): void;
   tl_board_release(book: number, cover: Cover): void;
@@ -87,9 +87,6 @@ const mostFlights = 16;
 const mostLeaves = 1e6;
 const farthest = 1000;
 
-/** Thickness from which a leaf's edges are visible, metres: card's, not paper's. */
-export const visibleThickness = 0.0002;
-
 /**
  * One bound book in the engine, with several leaves of paper in flight. A
  * flight is identified by the number that `lift` returns; a command to one that
@@ -105,7 +102,9 @@ export class WasmBook implements BookEngine {
   protected readonly book: number;
   readonly #leaves: number;
   /** Surfaces by the address of their positions: the engine reuses a few. */
-  readonly #surfaces = new Map<number, Surface>();
+  readonly #surfaces = new Map<number, DrawnSurface>();
+  /** Finds what of its leaves may lie on other paper. */
+  protected readonly papers: LeafPapers | undefined;
   readonly #piles: (Pile | undefined)[] = [undefined, undefined];
 
   protected constructor(wasm: Exports, size: BookSize) {
@@ -253,24 +252,12 @@ export class WasmBook implements BookEngine {
   }
 
   surface(index: number): Surface {
-    const wasm = this.wasm;
-    const number = whole(index, mostFlights);
-    const at = wasm.tl_book_positions(this.book, number);
-    const version = wasm.tl_book_version(this.book, number);
-    const caliper = wasm.tl_book_caliper(this.book, number);
-    const thickness = caliper < visibleThickness ? 0 : caliper;
-    let surface = this.#surfaces.get(at);
-    if (surface === undefined || surface.positions.buffer !== wasm.memory.buffer) {
-      const columns = wasm.tl_book_columns(this.book);
-      const rows = wasm.tl_book_rows(this.book);
-      const view = (at: number) => new Float32Array(wasm.memory.buffer, at, 3 * columns * rows);
-      const normals = view(wasm.tl_book_normals(this.book, number));
-      surface = { columns, rows, positions: view(at), normals, version, thickness };
-    } else if (surface.version !== version || surface.thickness !== thickness) {
-      surface = { ...surface, version, thickness };
-    }
-    this.#surfaces.set(at, surface);
-    return surface;
+    const at = this.wasm.tl_book_surface(this.book, whole(index, mostFlights));
+    const record = readDrawn(this.wasm.memory, at);
+    const { byteOffset } = record.positions;
+    const surface = this.#surfaces.get(byteOffset) ?? new DrawnSurface(this.papers);
+    this.#surfaces.set(byteOffset, surface);
+    return surface.at(record);
   }
 
   overrideSurface(index: number): Float32Array | null {

@@ -1,5 +1,5 @@
-import type { CreasedMesh } from "../creased_mesh.ts";
 import { models } from "../model_names.ts";
+import type { PaperMesh } from "../paper_mesh.ts";
 import { BitReader } from "./bits.ts";
 import {
   checksum,
@@ -129,12 +129,7 @@ function readPacked(view: DataView, header: number): TurnRecord {
   return { model, width, height, u, v, error, times, positions, creased };
 }
 
-function readMesh(
-  packed: Uint8Array,
-  u: Float32Array,
-  v: Float32Array,
-  view: DataView,
-): CreasedMesh {
+function readMesh(packed: Uint8Array, u: Float32Array, v: Float32Array, view: DataView): PaperMesh {
   try {
     return unpackMesh(packed, u, v, view.getUint32(48, true));
   } catch (error) {

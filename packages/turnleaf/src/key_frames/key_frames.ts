@@ -4,13 +4,13 @@
  * in Node.
  */
 
+export { type Model, models } from "../model_names.ts";
 export {
-  type CreasedMesh,
+  type PaperMesh,
   type SplitMesh,
   splitMesh,
   writeMeshNormals,
-} from "../creased_mesh.ts";
-export { type Model, models } from "../model_names.ts";
+} from "../paper_mesh.ts";
 export { decodeTurn } from "./decode.ts";
 export { TurnError } from "./file.ts";
 export { RecordedTurn, writeNormals } from "./recorded_turn.ts";

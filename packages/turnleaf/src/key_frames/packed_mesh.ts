@@ -3,7 +3,7 @@
  * docs/formats.md describes it.
  */
 
-import type { CreasedMesh } from "../creased_mesh.ts";
+import type { PaperMesh } from "../paper_mesh.ts";
 import { BitReader, BitWriter } from "./bits.ts";
 
 /** Parts of the leaf's width or height of which the place of a point is a whole number. */
@@ -22,7 +22,7 @@ const mostTriangles = (columns: number, rows: number): number => 2 * (columns - 
  *
  * @throws RangeError if it is no mesh of so many columns and rows of points
  */
-export function requireMesh(mesh: CreasedMesh, columns: number, rows: number): void {
+export function requireMesh(mesh: PaperMesh, columns: number, rows: number): void {
   const { places, triangles, parts } = mesh;
   const points = columns * rows;
   const isMesh =
@@ -37,7 +37,7 @@ export function requireMesh(mesh: CreasedMesh, columns: number, rows: number): v
 
 /** Packs a mesh of points in columns at `u` and rows at `v`. */
 export function packMesh(
-  { places, triangles, parts }: CreasedMesh,
+  { places, triangles, parts }: PaperMesh,
   u: Places,
   v: Places,
 ): Uint8Array<ArrayBuffer> {
@@ -60,7 +60,7 @@ export function packMesh(
  *
  * @throws RangeError if the bytes are none
  */
-export function unpackMesh(packed: Uint8Array, u: Places, v: Places, count: number): CreasedMesh {
+export function unpackMesh(packed: Uint8Array, u: Places, v: Places, count: number): PaperMesh {
   const [columns, points] = [u.length, u.length * v.length];
   if (count < 1 || count > mostTriangles(columns, v.length)) {
     throw new RangeError("There are more triangles than of a grid.");

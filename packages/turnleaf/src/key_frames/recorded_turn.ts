@@ -1,5 +1,5 @@
-import type { CreasedMesh } from "../creased_mesh.ts";
 import type { Model } from "../model_names.ts";
+import type { PaperMesh } from "../paper_mesh.ts";
 import { blend, mixAt } from "./blend.ts";
 
 /** The contents of a recording. */
@@ -19,7 +19,7 @@ export interface TurnRecord {
   /** Frame after frame x, y, z of each point, metres, row by row from the foot. */
   readonly positions: Float32Array;
   /** How the points lie on the flat paper if the leaf is creased. */
-  readonly creased?: CreasedMesh | undefined;
+  readonly creased?: PaperMesh | undefined;
 }
 
 /** How a recording is played. */
@@ -82,7 +82,7 @@ export class RecordedTurn {
    * How the points lie on the flat paper and hang together if the leaf is creased; undefined if
    * it is a grid's at `u` and `v`. `splitMesh` returns the vertices to be drawn of it.
    */
-  get creased(): CreasedMesh | undefined {
+  get creased(): PaperMesh | undefined {
     return this.record.creased;
   }
 

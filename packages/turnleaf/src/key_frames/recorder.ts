@@ -1,5 +1,5 @@
-import type { CreasedMesh } from "../creased_mesh.ts";
 import { models } from "../model_names.ts";
+import type { PaperMesh } from "../paper_mesh.ts";
 import { BitWriter, costOf } from "./bits.ts";
 import { blend, mixAt } from "./blend.ts";
 import {
@@ -27,7 +27,7 @@ export interface RecordedLeaf {
   /** The model that moves it. The default is "sheet". */
   readonly model?: TurnRecord["model"];
   /** How the points lie on the flat paper if the leaf is creased: the same in every frame. */
-  readonly creased?: CreasedMesh | undefined;
+  readonly creased?: PaperMesh | undefined;
 }
 
 /** A turn in a file. */

@@ -8,8 +8,8 @@
  */
 
 import type { Texture } from "three";
-import type { CreasedMesh } from "../creased_mesh.ts";
 import type { Ray, Vec3 } from "../engine/shapes.ts";
+import type { PaperMesh } from "../paper_mesh.ts";
 import { pickSurface } from "../picking/pick.ts";
 import { handAt } from "../picking/reach.ts";
 import type { PagePicture } from "../sources/page_source.ts";
@@ -36,7 +36,7 @@ export interface ShownLeaf {
   /** Unit normal of each, up where the leaf lies on the right. */
   readonly normals: Float32Array;
   /** How the points lie on the flat paper if the leaf is creased. */
-  readonly creased?: CreasedMesh | undefined;
+  readonly creased?: PaperMesh | undefined;
 }
 
 /** A place on a leaf: u from 0 at the spine to 1 at the fore-edge, v from 0 at the foot to 1 at the head. */

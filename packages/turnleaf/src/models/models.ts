@@ -9,13 +9,14 @@
  * spine to 1 at the fore-edge, v from 0 at the foot to 1 at the head.
  */
 
-import type { CreasedMesh } from "../creased_mesh.ts";
+import { type DrawnRecord, readDrawn } from "../drawn_record.ts";
 import { type Model, models } from "../model_names.ts";
 import { unpack } from "../packed.ts";
+import type { PaperMesh } from "../paper_mesh.ts";
 import { presetStocks } from "../stocks.ts";
 import code from "./models.wasm";
 
-export { type CreasedMesh, type Model, models };
+export { type Model, models, type PaperMesh };
 
 /** A paper's figures: kg/m^2, m, and N m of stiffness along and across the grain. */
 export interface LeafStock {
@@ -127,7 +128,7 @@ export interface LeafSurface extends LeafGrid {
    * changes. Normals are then those of a leaf that is bent there: see `splitMesh` of
    * `turnleaf/keyframes` for those of either side of a crease.
    */
-  readonly creased?: CreasedMesh | undefined;
+  readonly creased?: PaperMesh | undefined;
 }
 
 /** A straight crease of a leaf, from edge to edge, that does not meet the spine. */
@@ -174,10 +175,6 @@ interface Exports {
   tl_leaf_crease(leaf: number, count: number): number;
   tl_leaf_press(leaf: number, crease: number, rest: number): void;
   tl_leaf_crease_state(leaf: number, crease: number): number;
-  tl_leaf_places(leaf: number): number;
-  tl_leaf_corners(leaf: number): number;
-  tl_leaf_parts(leaf: number): number;
-  tl_leaf_triangles(leaf: number): number;
   tl_leaf_play(leaf: number, by: number, from: number, seconds: number): void;
   tl_leaf_playing(leaf: number): number;
   tl_leaf_grab(leaf: number, u: number, v: number): void;
@@ -187,10 +184,7 @@ interface Exports {
   tl_leaf_step(leaf: number): number;
   tl_leaf_time(leaf: number): number;
   tl_leaf_update(leaf: number): void;
-  tl_leaf_columns(leaf: number): number;
-  tl_leaf_rows(leaf: number): number;
-  tl_leaf_positions(leaf: number): number;
-  tl_leaf_normals(leaf: number): number;
+  tl_leaf_surface(leaf: number): number;
   tl_leaf_node_columns(leaf: number): number;
   tl_leaf_node_rows(leaf: number): number;
   tl_leaf_nodes(leaf: number): number;
@@ -259,7 +253,7 @@ export class LooseLeaf {
   readonly options: LeafOptions;
   private readonly wasm: Exports;
   private readonly leaf: number;
-  private creased: CreasedMesh | undefined;
+  private creased: PaperMesh | undefined;
 
   private constructor(wasm: Exports, options: LeafOptions) {
     this.wasm = wasm;
@@ -310,7 +304,7 @@ export class LooseLeaf {
     if (room === 0) throw new RangeError("A leaf is drawn at 1024 columns and rows at most.");
     new Float32Array(wasm.memory.buffer, room, places.length).set(places);
     if (wasm.tl_leaf_draw(leaf, u.length) === 0) throw new RangeError(this.error().message);
-    this.creased = this.mesh();
+    this.readMesh();
   }
 
   /**
@@ -330,7 +324,7 @@ export class LooseLeaf {
     });
     new Float64Array(wasm.memory.buffer, wasm.tl_leaf_creases(leaf), numbers.length).set(numbers);
     if (wasm.tl_leaf_crease(leaf, creases.length) === 0) throw this.error();
-    this.creased = this.mesh();
+    this.readMesh();
   }
 
   /** Turns the rest of a crease, counted from 0, to an angle, radians. */
@@ -396,17 +390,8 @@ export class LooseLeaf {
 
   /** Returns the drawn surface as of the last `update`. */
   surface(): LeafSurface {
-    const [wasm, leaf] = [this.wasm, this.leaf];
-    const [columns, rows] = [wasm.tl_leaf_columns(leaf), wasm.tl_leaf_rows(leaf)];
-    const floats = (address: number) =>
-      new Float32Array(wasm.memory.buffer, address, 3 * columns * rows);
-    return {
-      columns,
-      rows,
-      positions: floats(wasm.tl_leaf_positions(leaf)),
-      normals: floats(wasm.tl_leaf_normals(leaf)),
-      creased: this.creased,
-    };
+    const { columns, rows, positions, normals } = this.drawn();
+    return { columns, rows, positions, normals, creased: this.creased };
   }
 
   /** Returns the model's nodes as of the last `update`: its masses, if it has masses. */
@@ -458,19 +443,14 @@ export class LooseLeaf {
     return new Error(new TextDecoder().decode(new Uint8Array(wasm.memory.buffer, at, length)));
   }
 
-  /** Returns a copy of the mesh of a creased leaf, as the engine's memory moves. */
-  private mesh(): CreasedMesh | undefined {
-    const [wasm, leaf] = [this.wasm, this.leaf];
-    const [at, count] = [wasm.tl_leaf_places(leaf), wasm.tl_leaf_triangles(leaf)];
-    if (at === 0) return undefined;
-    wasm.tl_leaf_update(leaf);
-    const points = wasm.tl_leaf_columns(leaf) * wasm.tl_leaf_rows(leaf);
-    const { buffer } = wasm.memory;
-    return {
-      places: new Float32Array(buffer, at, 2 * points).slice(),
-      triangles: new Uint32Array(buffer, wasm.tl_leaf_corners(leaf), 3 * count).slice(),
-      parts: new Uint16Array(buffer, wasm.tl_leaf_parts(leaf), count).slice(),
-    };
+  private drawn(): DrawnRecord {
+    return readDrawn(this.wasm.memory, this.wasm.tl_leaf_surface(this.leaf));
+  }
+
+  /** Keeps the mesh of a creased leaf. */
+  private readMesh(): void {
+    this.wasm.tl_leaf_update(this.leaf);
+    this.creased = this.drawn().mesh();
   }
 }
 

@@ -47,7 +47,9 @@ export function unfold(
   const { canvas: page, pen } = leafFor(picture, place, aspect, width);
   drawOn(pen, picture, place);
   const isRight = place.x < 0;
-  pen.clearRect(isRight ? 0 : foldAt * page.width, 0, (1 - foldAt) * page.width, page.height);
+  // A whole texel more than up to the fold, as the flap begins there within a pixel.
+  const beyond = page.width - Math.ceil(foldAt * page.width) - 1;
+  pen.clearRect(isRight ? 0 : page.width - beyond, 0, beyond, page.height);
   const flap = document.createElement("canvas");
   const fraction = place.width - foldAt;
   flap.width = Math.max(Math.round(fraction * page.width), 1);
@@ -60,7 +62,8 @@ export function unfold(
   [back.width, back.height] = [flap.width, flap.height];
   const backPen = back.getContext("2d") as CanvasRenderingContext2D;
   backPen.fillStyle = paper;
-  backPen.fillRect(0, place.y * back.height, back.width, place.height * back.height);
+  const [, top, , tall] = wholePixels(place, back.width, back.height);
+  backPen.fillRect(0, top, back.width, tall);
   return { page, flap, back };
 }
 
@@ -81,16 +84,34 @@ function leafFor(picture: PagePicture, place: PageBox, aspect: number, width: nu
 function drawOn(
   pen: CanvasRenderingContext2D,
   picture: PagePicture,
-  { x, y, width, height }: PageBox,
+  place: PageBox,
   across = pen.canvas.width,
   down = pen.canvas.height,
 ): void {
-  const [left, top] = [Math.round(x * across), Math.round(y * down)];
+  const [left, top, wide, tall] = wholePixels(place, across, down);
   const isThatLarge = (length: number, wanted: number) => Math.abs(length - wanted) <= 1;
   // One that was drawn for this place is copied as it is.
-  if (isThatLarge(picture.width, width * across) && isThatLarge(picture.height, height * down)) {
+  if (isThatLarge(picture.width, wide) && isThatLarge(picture.height, tall)) {
     pen.drawImage(picture, left, top);
-  } else pen.drawImage(picture, x * across, y * down, width * across, height * down);
+  } else pen.drawImage(picture, left, top, wide, tall);
+}
+
+/**
+ * Returns the left, top, width and height of a place on a canvas, in whole pixels: one that were
+ * covered in part would be seen as a light line at the edge.
+ */
+function wholePixels(
+  { x, y, width, height }: PageBox,
+  across: number,
+  down: number,
+): [number, number, number, number] {
+  const [left, top] = [Math.round(x * across), Math.round(y * down)];
+  return [
+    left,
+    top,
+    Math.round((x + width) * across) - left,
+    Math.round((y + height) * down) - top,
+  ];
 }
 
 /**
@@ -113,8 +134,9 @@ function drawFolded(
     pen.translate(width, 0);
     pen.scale(-1, 1);
   }
-  const [free, fold] = [(foldAt - across) * width, foldAt * width];
-  const [top, tall] = [place.y * height, place.height * height];
+  const panel = { ...place, x: foldAt - across, width: across };
+  const [free, top, wide, tall] = wholePixels(panel, width, height);
+  const fold = free + wide;
   pen.clearRect(fold, 0, width - fold, height);
   const shadow = pen.createLinearGradient(free - 0.03 * width, 0, free, 0);
   shadow.addColorStop(0, "rgb(60 45 25 / 0)");
@@ -122,8 +144,11 @@ function drawFolded(
   pen.fillStyle = shadow;
   pen.fillRect(free - 0.03 * width, top, 0.03 * width, tall);
   pen.fillStyle = paper;
-  pen.fillRect(free, top, fold - free, tall);
-  if (isFace) drawLastPanel(pen, picture, place, fold - free);
+  pen.fillRect(free, top, wide, tall);
+  if (isFace) {
+    const at = isRight ? width - fold : free;
+    drawLastPanel(pen, picture, place, [at, top, wide, tall]);
+  }
   // The round of the fold that the uppermost panel hangs on receives less light.
   const [round, away] = isFace ? [free, free + 0.03 * width] : [fold, fold - 0.03 * width];
   const bend = pen.createLinearGradient(away, 0, round, 0);
@@ -134,29 +159,17 @@ function drawFolded(
   pen.restore();
 }
 
-/** Draws the last panel of a picture, `wide` pixels across, beside a fold-out's fold. */
+/** Draws the last panel of a picture on a part of its canvas, which is as wide as the panel. */
 function drawLastPanel(
   pen: CanvasRenderingContext2D,
   picture: PagePicture,
   place: PageBox,
-  wide: number,
+  [left, top, wide, tall]: readonly [number, number, number, number],
 ): void {
-  const { width, height } = pen.canvas;
-  const from = (wide / (place.width * width)) * picture.width;
-  const isRight = place.x < 0;
-  const at = (isRight ? 1 - foldAt : foldAt) * width - (isRight ? 0 : wide);
+  const across = (wide / (place.width * pen.canvas.width)) * picture.width;
+  const from = place.x < 0 ? 0 : picture.width - across;
   pen.save();
   pen.resetTransform();
-  pen.drawImage(
-    picture,
-    isRight ? 0 : picture.width - from,
-    0,
-    from,
-    picture.height,
-    at,
-    place.y * height,
-    wide,
-    place.height * height,
-  );
+  pen.drawImage(picture, from, 0, across, picture.height, left, top, wide, tall);
   pen.restore();
 }

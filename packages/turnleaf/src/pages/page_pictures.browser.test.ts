@@ -5,7 +5,7 @@ import { eventually } from "../for_tests/eventually.ts";
 import type { PageBox, PagePicture, PageSource } from "../sources/page_source.ts";
 import { fitToLeaf, unfold } from "./fit.ts";
 import { PageBitmaps } from "./page_bitmaps.ts";
-import { placeOnLeaf } from "./page_place.ts";
+import { foldAt, placeOnLeaf } from "./page_place.ts";
 
 function sheet(width: number, height: number): HTMLCanvasElement {
   const canvas = document.createElement("canvas");
@@ -69,6 +69,40 @@ test("a fold-out is folded in: its flap's back lies on the page, at its fore-edg
       const pixels = part.getContext("2d") as CanvasRenderingContext2D;
       const { width, height } = part;
       expect([...pixels.getImageData(width / 2, height / 2, 1, 1).data]).toEqual([0, 0, 255, 255]);
+    }
+  }
+});
+
+test("of the parts of a page, and of one beside which its leaf is clear, no pixel is covered in part", () => {
+  const picture = sheet(200, 100);
+  const pen = picture.getContext("2d") as CanvasRenderingContext2D;
+  pen.fillStyle = "#00f";
+  pen.fillRect(0, 0, 200, 100);
+  const isWhole = (canvas: HTMLCanvasElement): boolean => {
+    const { data } = (canvas.getContext("2d") as CanvasRenderingContext2D).getImageData(
+      0,
+      0,
+      canvas.width,
+      canvas.height,
+    );
+    return data.every((alpha, k) => k % 4 < 3 || alpha === 0 || alpha === 255);
+  };
+  for (const on of ["left", "right"] as const) {
+    for (const wide of [17, 23, 37]) {
+      const leaf = { width: 10, height: 10 };
+      const place = placeOnLeaf({ width: wide, height: 10 }, leaf, true, on);
+      const small = placeOnLeaf({ width: 6.3, height: 8.7 }, leaf, true, on);
+      for (const width of [97, 100, 103]) {
+        const { page, flap, back } = unfold(picture, place, 1, width, "#fbf5e8");
+        const shut = fitToLeaf(picture, place, 1, width, "#fbf5e8");
+        const cut = fitToLeaf(picture, small, 1, width, "#fbf5e8");
+        expect([page, flap, back, shut, cut].map(isWhole)).toEqual(Array(5).fill(true));
+        // What is printed goes on under the flap, which begins within a pixel of the fold.
+        const fold = Math.ceil(foldAt * page.width);
+        const under = on === "left" ? fold : page.width - 1 - fold;
+        const seen = page.getContext("2d") as CanvasRenderingContext2D;
+        expect([...seen.getImageData(under, 50, 1, 1).data]).toEqual([0, 0, 255, 255]);
+      }
     }
   }
 });

@@ -1,6 +1,7 @@
 /** Bytes of XML documents, style sheets and plain text as text. */
 
 import { loadPart } from "./load_part.ts";
+import { decodeUtf32, utf32Order } from "./utf32.ts";
 
 /** An encoding as a document declares it: in XML, in a style sheet, and as web pages do. */
 const declaration =
@@ -21,6 +22,8 @@ const sevenBit = /^iso-2022-/;
  * is UTF-8, or nothing, it is guessed by its letters.
  */
 export async function decodeText(bytes: Uint8Array): Promise<string> {
+  const order = utf32Order(bytes);
+  if (order) return decodeUtf32(bytes, order);
   const wide = wideEncoding(bytes);
   if (wide) return new TextDecoder(wide).decode(bytes);
   const declared = declaredEncoding(bytes);

@@ -237,6 +237,13 @@ export const formats: readonly FileFormat[] = [
     most: limits.archivedBytes,
   },
   {
+    kind: "zip",
+    type: "application/zip",
+    // Something stands before it, such as the headers of a mail.
+    is: ({ text }) => text.includes("PK\x03\x04"),
+    most: limits.archiveBytes,
+  },
+  {
     kind: "text",
     type: "text/markdown",
     labels: ["Markdown"],
@@ -408,21 +415,21 @@ function isFictionBook({ text }: FirstBytes): boolean {
 // biome-ignore lint/suspicious/noControlCharactersInRegex: these are looked for
 const strangeControls = /[\x00-\x06\x10-\x19\x1c-\x1f\x7f]/g;
 
-/** What text in UTF-16 without its mark begins with. */
-const wideLetters = /^(?:[\t-~]\0){2}|^(?:\0[\t-~]){2}/;
+/** What text in UTF-16 or UTF-32 without its mark begins with. */
+const wideLetters = /^(?:[\t-~]\0{1,3}){2}|^(?:\0{1,3}[\t-~]){2}/;
 
 /** Bytes of text, at least, for each of these, unless the media type says text: code has one in fewer. */
 const leastText = 10;
 
 /**
- * Returns whether bytes are text: UTF-8, UTF-16 by its mark, or, where the
+ * Returns whether bytes are text: UTF-8, UTF-16 or UTF-32 by its mark, or, where the
  * media type says text, in any encoding. Old programs wrote control characters into text, such as the
  * end of a DOS file or what terminals print bold; a byte of 0 none did, and others are rare in it.
  */
 function isText({ start, type, text }: FirstBytes): boolean {
   if (start.length === 0) return false;
-  if (/^(\xff\xfe|\xfe\xff)/.test(text)) return true;
-  // Letters of ASCII in UTF-16.
+  if (/^(\xff\xfe|\xfe\xff|\0\0\xfe\xff)/.test(text)) return true;
+  // Letters of ASCII of two or four bytes each.
   if (start.includes(0)) return type.startsWith("text/") && wideLetters.test(text);
   const strange = text.match(strangeControls)?.length ?? 0;
   if (strange * leastText > start.length && !type.startsWith("text/")) return false;

@@ -24,7 +24,7 @@ import { layoutIn, paperSize } from "../stage/page_width.ts";
 import { areStapled } from "../stage/staples.ts";
 import type { PageTheme } from "../themes.ts";
 import { CornerPeek } from "./corner_peek.ts";
-import { Drags } from "./drag.ts";
+import { Drags, type DragTargets } from "./drag.ts";
 import { FaceTextures } from "./face_textures.ts";
 import { TickCounter } from "./frame_timing.ts";
 
@@ -147,6 +147,14 @@ export interface BookEvents extends TurningEvents {
   readonly moved: () => void;
 }
 
+/** What a bound book has in common with those before and after it. */
+export interface BoundBookParts {
+  readonly stage: BookStage;
+  readonly pictures: PageBitmaps;
+  readonly events: BookEvents;
+  readonly targets: DragTargets;
+}
+
 /** A bound book: its binding, its engine's book, its state and the grabs on it. */
 export class BoundBook {
   readonly binding: Binding;
@@ -164,9 +172,7 @@ export class BoundBook {
   constructor(
     { binding, shape, stocks }: BindingLayout,
     engine: BookEngine,
-    stage: BookStage,
-    pictures: PageBitmaps,
-    events: BookEvents,
+    { stage, pictures, events, targets }: BoundBookParts,
   ) {
     this.binding = binding;
     this.shape = shape;
@@ -180,7 +186,8 @@ export class BoundBook {
     const peek = new CornerPeek(turning, binding, shape, events.turnStarted);
     this.turning = turning;
     this.peek = peek;
-    this.drags = new Drags({ engine, stage, binding, turning, peek, shape, moved: events.moved });
+    const { moved } = events;
+    this.drags = new Drags({ engine, stage, binding, turning, peek, shape, targets, moved });
     this.faceTextures = new FaceTextures(binding, stage, turning, pictures, shape.cloth);
     this.ticks = new TickCounter(engine.tick);
   }

@@ -63,6 +63,19 @@ export interface FoldOutSheets extends LooseSheets {
   foldIn(): Promise<void>;
 }
 
+/**
+ * What a pointer can do besides grabbing leaves and boards. It outlives every binding; each part is
+ * set once what does it is loaded.
+ */
+export interface DragTargets {
+  /** The fold-outs, where they can be opened. */
+  foldOut: FoldOutSheets | null;
+  /** The sheets that were torn out, once one may be. */
+  loose: LooseSheets | null;
+  /** Returns the corner at which a leaf is held, once corners may be folded by hand. */
+  cornerAt: typeof CornerPress.at | null;
+}
+
 /** A place on a leaf that is bound in the book. */
 export interface LeafHit extends Hit {
   readonly on: Flight | Side;
@@ -81,6 +94,7 @@ export interface DragContext {
   readonly turning: Turning;
   readonly peek: CornerPeek;
   readonly shape: Pick<BookShape, "width" | "height" | "alone" | "quarterTurned">;
+  readonly targets: Readonly<DragTargets>;
   /** Called when something moves. */
   readonly moved: () => void;
 }
@@ -123,12 +137,6 @@ export class Drags {
   readonly #drags = new Map<number, Drag>();
   #pressed: Drag | null = null;
   #closed = false;
-  /** The sheets that were torn out, once one may be. */
-  loose: LooseSheets | null = null;
-  /** Returns the corner at which a leaf is held, once corners may be folded by hand. */
-  cornerAt: typeof CornerPress.at | null = null;
-  /** The fold-outs, where they can be opened. */
-  foldOut: FoldOutSheets | null = null;
 
   constructor(book: DragContext) {
     this.#book = book;
@@ -137,7 +145,7 @@ export class Drags {
   /** Returns what a pointer at a place on the canvas (CSS pixels) can grab, or null. */
   pick(x: number, y: number): DragHit | null {
     if (this.#closed) return null;
-    const { engine, stage, turning, peek } = this.#book;
+    const { engine, stage, turning, peek, targets } = this.#book;
     const ray = stage.rayAt(x, y);
     let best: DragHit | null = this.#pickPage(ray);
     const { leaves } = turning;
@@ -149,7 +157,7 @@ export class Drags {
         best = { ...hit, on: flight };
       }
     }
-    for (const sheets of [this.foldOut, this.loose]) {
+    for (const sheets of [targets.foldOut, targets.loose]) {
       const sheet = sheets?.pick(ray) ?? null;
       if (sheet && (best === null || sheet.distance < best.distance + preference)) best = sheet;
     }
@@ -190,7 +198,7 @@ export class Drags {
   grab(found: DragHit, pull: Place = { x: 0, y: 0 }): Dragged | null {
     const number = this.#freeGrab;
     if (this.#closed || number === undefined) return null;
-    const { turning, peek } = this.#book;
+    const { turning, peek, targets } = this.#book;
     const flap = this.#takeFlap(found, pull);
     if (flap) return flap;
     const hit = this.#pulled(found, pull);
@@ -198,8 +206,8 @@ export class Drags {
       peek.end();
       return (hit.on as LooseHit).grab();
     }
-    if (this.foldOut?.isVisible) {
-      void this.foldOut.foldIn();
+    if (targets.foldOut?.isVisible) {
+      void targets.foldOut.foldIn();
       return null;
     }
     const { on, u, v } = hit;
@@ -222,15 +230,15 @@ export class Drags {
 
   /** Grabs the shut flap of a fold-out that is pulled away from the spine; null for anything else. */
   #takeFlap({ on, u, v }: DragHit, { x, y }: Place): Dragged | null {
-    const { binding, turning, peek, shape } = this.#book;
+    const { binding, turning, peek, shape, targets } = this.#book;
     const isLifted = peek.flight !== null && on === peek.flight;
     const side = isLifted ? peek.side : on;
     if (typeof side !== "number" || (turning.moving && !isLifted) || shape.quarterTurned)
       return null;
     const outward = side === Side.right ? x : -x;
     const page = (side === Side.right ? rightPage : leftPage)(binding, turning.spread);
-    if (page === null || outward <= Math.abs(y) || this.foldOut?.isVisible) return null;
-    const flap = this.foldOut?.take(page, side, u, v) ?? null;
+    if (page === null || outward <= Math.abs(y) || targets.foldOut?.isVisible) return null;
+    const flap = targets.foldOut?.take(page, side, u, v) ?? null;
     if (flap) peek.end();
     return flap;
   }
@@ -246,22 +254,23 @@ export class Drags {
    * may be torn out.
    */
   #pulled(hit: DragHit, { x, y }: Place): DragHit {
-    const { alone, quarterTurned } = this.#book.shape;
+    const { shape, turning, targets } = this.#book;
+    const { alone, quarterTurned } = shape;
     const isOutward = (quarterTurned ? y : x) * alone > 0;
     if (!isOutward || typeof hit.on !== "number") return hit;
     const on = alone === 1 ? Side.left : Side.right;
     const isAtEdge = hit.on !== on && hit.u >= outerEdge;
-    if (this.loose && (isAtEdge || !this.#book.turning.hasLeaf(on))) return hit;
+    if (targets.loose && (isAtEdge || !turning.hasLeaf(on))) return hit;
     return { ...hit, on, u: 1 };
   }
 
   /** Returns the corner of the page at which a leaf that lay on a side is held, if it is. */
   #cornerOf(flight: Flight, side: Side | null, u: number, v: number): HeldCorner | null {
-    const { binding, shape } = this.#book;
+    const { binding, shape, targets } = this.#book;
     if (side === null || flight.part !== "leaf") return null;
     const isRight = side === Side.right;
     const page = isRight ? rightPage(binding, flight.low) : leftPage(binding, flight.high);
-    const press = this.cornerAt?.(shape, side, u, v) ?? null;
+    const press = targets.cornerAt?.(shape, side, u, v) ?? null;
     return press && page !== null ? { side, page, press } : null;
   }
 

@@ -49,7 +49,7 @@ export class Folds {
     this.#rebinder = rebinder;
     this.#begun = begun;
     this.#pageCount = rebinder.bound.binding.pageCount;
-    rebinder.bound.drags.cornerAt = CornerPress.at;
+    rebinder.targets.cornerAt = CornerPress.at;
   }
 
   /**
@@ -104,8 +104,7 @@ export class Folds {
   /** Call it when the book was bound anew: creases its leaves. */
   bound(): void {
     this.#end();
-    const { engine, binding, drags } = this.#rebinder.bound;
-    drags.cornerAt = CornerPress.at;
+    const { engine, binding } = this.#rebinder.bound;
     // The pages have other numbers.
     if (binding.pageCount !== this.#pageCount) this.#opened = [];
     this.#pageCount = binding.pageCount;

@@ -1,5 +1,7 @@
 /** Binds one book: at first, and again when its pages or its options change. */
 
+import type { LeafFold } from "../book/creases.ts";
+import type { LayoutLists } from "../book/moved_lists.ts";
 import { applyPaper, type Paper, scaleOf } from "../book/paper.ts";
 import { type Binding, type Layout, pageOf, pagesAt, spineOf, spreadOf } from "../book/spreads.ts";
 import type { BookEngine, BookSize } from "../engine/book_engine.ts";
@@ -14,7 +16,17 @@ import {
   BoundBook,
   layOutBinding,
 } from "./bound_book.ts";
+import type { DragTargets } from "./drag.ts";
 import { defaultBinding, type ViewerOptions } from "./viewer_options.ts";
+
+/** Pages that lie elsewhere now, and what names them. */
+export interface MovedPages {
+  readonly moved: NewIndex;
+  /** The options of the layout that name pages, by their numbers of now. */
+  readonly lists: LayoutLists;
+  /** The folds of pages, likewise. */
+  readonly folds: readonly LeafFold[];
+}
 
 /** The dependencies of a rebinder. */
 export interface RebinderParts {
@@ -35,6 +47,8 @@ function shutSide(binding: Binding, spread: number): "front" | "back" | null {
 
 /** The book as it is bound now, and all changes that wait for its rest. */
 export class Rebinder {
+  /** What the drags on the book can do besides, however it is bound. */
+  readonly targets: DragTargets = { foldOut: null, loose: null, cornerAt: null };
   readonly #parts: RebinderParts;
   #bound: BoundBook;
   /** The layout in which the book shows pages that are not to be shown by themselves. */
@@ -110,19 +124,16 @@ export class Rebinder {
     this.#mustBind = true;
   }
 
-  /**
-   * Queues a change of the pages, as `Viewer.changePages` describes. What owns the options that name
-   * pages has them follow these.
-   */
-  change(change: () => NewIndex): Promise<boolean> {
+  /** Queues a change of the pages, as `Viewer.changePages` describes. */
+  change(change: () => MovedPages): Promise<boolean> {
     if (this.#closed) return Promise.resolve(false);
     return new Promise((resolve, reject) => {
       this.#changes.push(() => {
         if (this.#closed) return resolve(false);
         try {
-          const moved = change();
+          const { moved, lists } = change();
           this.#parts.pictures.renumber(moved);
-          this.#options = { ...this.#options, ...this.#parts.options.lists?.() };
+          this.#options = { ...this.#options, ...lists };
           this.#place = placeOf(moved, this.#place - 1) + 1;
           this.#mustBind = true;
           resolve(true);
@@ -204,7 +215,7 @@ export class Rebinder {
    */
   #bind(plan: BindingLayout, engine: BookEngine, shut: "front" | "back" | null): BoundBook {
     const { stage, pictures, options, events } = this.#parts;
-    const bound = new BoundBook(plan, engine, stage, pictures, events);
+    const bound = new BoundBook(plan, engine, { stage, pictures, events, targets: this.targets });
     pictures.bind((page) => spineOf(plan.binding, page));
     bound.turning.seconds = options.turnSeconds();
     this.#applyPaper(options.paper(), engine, plan);

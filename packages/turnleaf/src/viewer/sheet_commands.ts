@@ -3,6 +3,7 @@
 import type { LeafFold } from "../book/creases.ts";
 import type { PagePlace } from "../book/page_folds.ts";
 import { isCover, leafOf, pagesAt } from "../book/spreads.ts";
+import type { TearLine } from "../engine/shapes.ts";
 import type { PageBitmaps } from "../pages/page_bitmaps.ts";
 import type { BookPose } from "../stage/book_pose.ts";
 import type { BookStage, Place } from "../stage/book_stage.ts";
@@ -45,6 +46,8 @@ export class SheetCommands {
   /** What tears leaves out, once they may be, and what loads it. */
   #tearing: Promise<Tearing | null> | null = null;
   #loadedTearing: Tearing | null = null;
+  /** How the leaves are bound; null if none may be torn out. */
+  #line: TearLine | null = null;
   #closed = false;
 
   constructor(parts: SheetParts, hooks: SheetHooks) {
@@ -72,14 +75,20 @@ export class SheetCommands {
     return found;
   }
 
-  /** Takes over the folds of pages that are about to lie elsewhere: the book is bound anew by them. */
+  /** Takes over the folds of pages that lie elsewhere: the book is about to be bound anew by them. */
   keepFolds(folds: readonly LeafFold[]): void {
     this.#loadedFolds?.keep(folds);
   }
 
-  /** Loads what tears leaves out, where they may be. Resolves once it is there, or cannot be. */
-  async allowTearing(): Promise<void> {
-    if (!this.#mayTear) return;
+  /**
+   * Says how leaves are bound, so that they can be torn out. Resolves once what tears them is
+   * loaded, or cannot be.
+   *
+   * @param line null if they may not be torn out any more
+   */
+  async allowTearing(line: TearLine | null): Promise<void> {
+    this.#line = line;
+    if (line === null) return;
     this.#tearing ??= this.#loadTearing();
     await this.#tearing;
     if (this.#closed) return;
@@ -92,8 +101,8 @@ export class SheetCommands {
    * @param isSeen whether it is seen to be torn, and lies beside the book then
    */
   async tearOut(page: number, isSeen: boolean): Promise<boolean> {
-    await this.allowTearing();
-    if (this.#closed || !(await this.#hooks.dropCorner())) return false;
+    await this.#tearing;
+    if (this.#closed || this.#line === null || !(await this.#hooks.dropCorner())) return false;
     const torn = this.#loadedTearing?.tearOut(page, isSeen) ?? false;
     this.#hooks.moved();
     return await torn;
@@ -102,7 +111,7 @@ export class SheetCommands {
   /** The first open page (from 1) whose leaf may be torn out; null if none may. */
   get tearablePage(): number | null {
     const { binding, turning } = this.#parts.rebinder.bound;
-    if (!this.#parts.backend.tearing || !this.#mayTear) return null;
+    if (!this.#parts.backend.tearing || this.#line === null) return null;
     const pages = pagesAt(binding, turning.spread);
     return pages.find((page) => !isCover(binding, leafOf(binding, page))) ?? null;
   }
@@ -171,10 +180,6 @@ export class SheetCommands {
     this.#loadedTearing?.close();
   }
 
-  get #mayTear(): boolean {
-    return (this.#parts.options.tearing?.line() ?? null) !== null;
-  }
-
   async #loadFolds(): Promise<Folds | null> {
     const { backend, rebinder, options } = this.#parts;
     try {
@@ -194,7 +199,7 @@ export class SheetCommands {
       if (loaded && owner) {
         const { moved, lay, isSeen } = this.#hooks;
         const hooks = {
-          line: () => owner.line(),
+          line: () => this.#line,
           mayTear: (pages: readonly number[]) => owner.mayTear(pages),
           takeOut: (pages: readonly number[]) => owner.takeOut(pages),
           heard: (work: number) => owner.heard(work),

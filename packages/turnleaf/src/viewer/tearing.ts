@@ -19,7 +19,7 @@ import {
 import type { Flight } from "../book/turning.ts";
 import type { BoundRows, TornSheet } from "../engine/book_engine.ts";
 import { maxGrabs, Side } from "../engine/phases.ts";
-import { pileHeight, type Surface, type Vec3 } from "../engine/shapes.ts";
+import { pileHeight, type Surface, type TearLine, type Vec3 } from "../engine/shapes.ts";
 import type { PageBitmaps } from "../pages/page_bitmaps.ts";
 import { onPlane } from "../picking/reach.ts";
 import type { BookPose } from "../stage/book_pose.ts";
@@ -50,6 +50,8 @@ const longestPull = 2;
 
 /** What tearing needs of the viewer, and of the owner of the book's pages. */
 export interface TearHooks extends TearOwner {
+  /** Returns how the leaves are bound; null if none may be torn out now. */
+  readonly line: () => TearLine | null;
   /** Something moves: a frame should show it. */
   readonly moved: () => void;
   /** Lays the book open at a spread, where its place is from then on. */
@@ -104,14 +106,13 @@ export class Tearing {
       heard: (work) => hooks.heard(work),
       drop: (picture) => bitmaps.drop(picture),
     });
-    rebinder.bound.drags.loose = this.#loose;
+    rebinder.targets.loose = this.#loose;
   }
 
   /** Call it when the book was bound anew: what was being torn is bound again. */
   bound(): void {
     this.#end(false);
     this.#begun.clear();
-    this.#rebinder.bound.drags.loose = this.#loose;
   }
 
   /**

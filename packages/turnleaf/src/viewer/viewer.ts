@@ -1,8 +1,8 @@
 /**
  * One book on one screen, from a command to a frame. It owns the engine's book,
- * the stage that draws it and the pool of page bitmaps, and brings them
- * together frame by frame while something moves. At rest it has no animation
- * frame and no timer.
+ * the stage that draws it and the pool of page bitmaps; its frame loop brings
+ * them together while something moves. At rest it has no animation frame and no
+ * timer.
  */
 
 import { faceOf } from "../book/faces.ts";
@@ -27,14 +27,14 @@ import {
   type BoundBook,
   layOutBinding,
 } from "./bound_book.ts";
-import { CameraMotion, ViewHistory } from "./camera_motion.ts";
+import { CameraMotion } from "./camera_motion.ts";
 import { CrossFade } from "./cross_fade.ts";
 import type { Drags } from "./drag.ts";
 import { type BitmapWidths, bitmapWidths } from "./face_textures.ts";
 import { FoldOut } from "./fold_out.ts";
-import { FrameQuality, firstFrameWait } from "./frame_timing.ts";
+import { FrameLoop } from "./frame_loop.ts";
 import { LeafCommands } from "./leaf_commands.ts";
-import { Rebinder } from "./rebinder.ts";
+import { type MovedPages, Rebinder } from "./rebinder.ts";
 import { Sharpness } from "./sharpness.ts";
 import { SheetCommands } from "./sheet_commands.ts";
 import { defaultBinding, type ViewerOptions } from "./viewer_options.ts";
@@ -61,24 +61,12 @@ export class Viewer {
   readonly #sharpness: Sharpness;
   readonly #foldOut: FoldOut;
   readonly #modelSwitch: ModelSwitch;
-  readonly #viewHistory = new ViewHistory();
-  readonly #stillHistory = new ViewHistory();
-  readonly #frameQuality: FrameQuality;
   readonly #rebinder: Rebinder;
-  /** The window that shows the canvas: another window's frames stop when that one is hidden. */
-  readonly #window: Window;
+  readonly #frames: FrameLoop;
   #cssWidth = 0;
   #cssHeight = 0;
   /** The size of the last `resize`, and the pixel ratio. */
   #sizes: readonly number[] = [];
-  #frame = 0;
-  #handled = false;
-  /** Time of the first animation frame, milliseconds, until one is drawn; then long ago. */
-  #waitsSince = Number.NaN;
-  /** Whether the last frame has fewer pixels than at rest, as pictures of it are missing. */
-  #isPlain = false;
-  /** Whether no leaf is in flight and no flap open, so that elements may lie over their pages. */
-  #isStill = false;
   #destroyed = false;
 
   private constructor(
@@ -92,11 +80,9 @@ export class Viewer {
     backend: Backend,
   ) {
     this.#options = options;
-    this.#window = canvas.ownerDocument.defaultView ?? window;
     this.#stage = stage;
     this.#source = source;
     this.#book = book;
-    this.#frameQuality = new FrameQuality(stage.isSoftware);
     this.#stage.onRestored = () => this.invalidate();
     this.#stage.onContextLost = () => options.onContextLost?.();
     this.#crossFade = new CrossFade(canvas, (from) => options.onRest(from, this.turning.spread));
@@ -144,7 +130,7 @@ export class Viewer {
     };
     const tools = { book, stage, pictures: this.#bitmaps, options, events };
     this.#rebinder = new Rebinder(tools, plan, engine);
-    this.#bound.drags.foldOut = this.#foldOut;
+    this.#rebinder.targets.foldOut = this.#foldOut;
     this.commands = new LeafCommands(this.#rebinder, this.#foldOut, arrived);
     this.sheets = new SheetCommands(
       { rebinder: this.#rebinder, bitmaps: this.#bitmaps, stage, backend, options },
@@ -156,6 +142,14 @@ export class Viewer {
         isSeen: ({ x, y }) => x >= 0 && y >= 0 && x <= this.#cssWidth && y <= this.#cssHeight,
       },
     );
+    this.#frames = new FrameLoop({
+      window: canvas.ownerDocument.defaultView ?? window,
+      ...{ options, stage, bitmaps: this.#bitmaps, camera: this.#camera },
+      ...{ crossFade: this.#crossFade, sharpness: this.#sharpness, foldOut: this.#foldOut },
+      ...{ modelSwitch: this.#modelSwitch, rebinder: this.#rebinder, sheets: this.sheets },
+      bindAnew: () => this.#bindAnew(),
+      size: () => [this.#cssWidth, this.#cssHeight],
+    });
   }
 
   /**
@@ -292,29 +286,29 @@ export class Viewer {
 
   /**
    * Changes the book's pages as soon as it is at rest. The visible page stays
-   * in sight, or the one that lies in its place; the options that name pages are
-   * asked for again (`ViewerOptions.lists`).
+   * in sight, or the one that lies in its place.
    *
    * Resolves to whether the change was made: false if the book was closed
    * before. Rejects with what `change` throws.
    *
-   * @param change changes the source and returns where its pages lie now
+   * @param change changes the source and returns where its pages lie now, and what names them
    */
-  changePages(change: () => NewIndex): Promise<boolean> {
+  changePages(change: () => MovedPages): Promise<boolean> {
     const changed = this.#rebinder.change(() => {
-      const moved = change();
+      const pages = change();
       const { leaf } = this.#source;
       if (leaf) this.#cutLeaves(leaf);
-      return moved;
+      this.sheets.keepFolds(pages.folds);
+      return pages;
     });
     this.#bindSoon();
     return changed;
   }
 
   /**
-   * Measures the pages, whose source knows only now how large they are. Resolves to a change for
-   * `changePages`, which gives the leaves that size. Rejects with a `BookError` if no page's size can
-   * be read, or with the signal's reason.
+   * Measures the pages, whose source knows only now how large they are. Resolves to a change of
+   * the source for `changePages`, which gives the leaves that size. Rejects with a `BookError` if no
+   * page's size can be read, or with the signal's reason.
    */
   async measure(signal: AbortSignal): Promise<() => NewIndex> {
     const leaf = await leafSize(this.#source, signal);
@@ -379,8 +373,7 @@ export class Viewer {
     if (this.#destroyed) return Promise.resolve(false);
     if (to !== from || this.turning.moving) {
       if (fades) {
-        this.#setStill(false);
-        this.#stage.draw({ resting: true, steady: true });
+        this.#frames.drawAtOnce();
         this.#crossFade.begin(from);
       }
       this.lay(to);
@@ -432,7 +425,7 @@ export class Viewer {
 
   /** Requests a frame, unless one is already requested. */
   invalidate(): void {
-    this.#askForFrame();
+    this.#frames.request();
   }
 
   /** The zoom level, 1 for the whole book to 8; during a motion, the one that it leads to. */
@@ -474,8 +467,7 @@ export class Viewer {
    * moves, and none sharper between them.
    */
   set handled(handled: boolean) {
-    this.#handled = handled;
-    this.invalidate();
+    this.#frames.handled = handled;
   }
 
   /**
@@ -501,7 +493,7 @@ export class Viewer {
    * that removes the listener.
    */
   onViewChange(listener: (rests: boolean) => void): () => void {
-    return this.#viewHistory.add(listener);
+    return this.#frames.viewHistory.add(listener);
   }
 
   /**
@@ -511,18 +503,18 @@ export class Viewer {
    * removes it.
    */
   onStillChange(listener: (isStill: boolean) => void): () => void {
-    return this.#stillHistory.add(listener);
+    return this.#frames.stillHistory.add(listener);
   }
 
   /** Returns whether page `page` (from 1) is an element that may lie over its place now. */
   isElement(page: number): boolean {
-    return this.#isStill && this.#bitmaps.under(page) !== null;
+    return this.#frames.isElement(page);
   }
 
   /** Whether every visible page is shown at its full sharpness. */
   get settled(): boolean {
     // Before the book has a size no page is requested, so none is missing.
-    if (this.#cssWidth === 0 || this.#frame !== 0 || this.#stage.isLost) return false;
+    if (this.#cssWidth === 0 || this.#frames.isRequested || this.#stage.isLost) return false;
     if (this.#foldOut.isMaking) return false;
     return this.#bitmaps.settled && this.#sharpness.settled;
   }
@@ -545,8 +537,7 @@ export class Viewer {
   destroy(keepCanvas = false): boolean {
     if (this.#destroyed) return false;
     this.#destroyed = true;
-    this.#window.cancelAnimationFrame(this.#frame);
-    this.#frame = 0;
+    this.#frames.close();
     this.#crossFade.close();
     this.commands.close();
     this.#foldOut.close();
@@ -556,118 +547,6 @@ export class Viewer {
     this.#sharpness.close();
     this.#bitmaps.close();
     return this.#stage.destroy(keepCanvas);
-  }
-
-  #askForFrame(): void {
-    if (this.#destroyed || this.#frame !== 0) return;
-    this.#frame = this.#window.requestAnimationFrame((now) => this.#draw(now));
-  }
-
-  /** Returns whether the first frame waits for its bitmaps. */
-  #waits(now: number): boolean {
-    if (!this.#stage.isSoftware || this.turning.moving || this.#bitmaps.settled) return false;
-    if (Number.isNaN(this.#waitsSince)) this.#waitsSince = now;
-    return now - this.#waitsSince < firstFrameWait;
-  }
-
-  #draw(now: number): void {
-    this.#frame = 0;
-    if (this.#waits(now)) {
-      this.#askForFrame();
-      return;
-    }
-    this.#waitsSince = Number.NEGATIVE_INFINITY;
-    const { ticks, engine } = this.#bound;
-    const rested = ticks.rested(now);
-    if (rested > 0) engine.creases?.wait(rested);
-    const passed = ticks.count(now);
-    const seconds = passed * engine.tick;
-    const isPressed = this.sheets.stepFolds(seconds);
-    // Else nothing in the engine has moved since the book was laid open.
-    const turned = this.turning.moving || this.turning.isSettling;
-    if (turned) this.turning.step(passed);
-    // A listener of a turn may destroy the viewer at once.
-    if (this.#destroyed) return;
-    if (turned) this.#modelSwitch.update(this.#bound, seconds);
-    const tearing = this.sheets.stepLoose(passed);
-    if (this.#destroyed) return;
-    const turning = this.turning.moving;
-    if (!turning) this.#bindAnew();
-    if (this.#destroyed) return;
-    const { peek } = this.#bound;
-    peek.step(seconds);
-    const isHeldStill = this.#pressCorner(seconds);
-    if (this.#destroyed) return;
-    const folding = this.#foldOut.step(passed);
-    const stepping = this.#camera.step(seconds) || folding;
-    // What has asked for a frame since this one began, such as a leaf that landed, is seen in it.
-    this.#window.cancelAnimationFrame(this.#frame);
-    this.#frame = 0;
-    const posed = this.#bound.pose();
-    const modelled = { ...this.#modelSwitch.pose(posed), flap: this.#foldOut.surface };
-    const pose = this.sheets.pose(modelled);
-    if (stepping) this.#bound.drags.follow();
-    // A leaf held still takes no more frames until its pointer moves.
-    const still =
-      turning && this.turning.isHeld && this.#bound.engine.isAsleep && this.#modelSwitch.isAsleep;
-    const isSettling = this.turning.isSettling;
-    const isInMotion = (turning && !still) || tearing || isSettling;
-    const moving = isInMotion || isHeldStill || stepping || isPressed;
-    const resting = !moving && !this.#handled;
-    // While fingers move the view, the next frame comes with their next event.
-    if (moving) this.#frameQuality.frame(now);
-    else this.#frameQuality.rest();
-    const isFlat = !this.#foldOut.isVisible;
-    this.#setStill(!turning && isFlat && !this.#crossFade.isOn);
-    const { pixels, roughly } = this.#frameQuality.quality;
-    const { filmFrames = null } = this.#options;
-    const isFull = resting || filmFrames !== null;
-    this.#stage.pose(pose, roughly && !isFull);
-    this.#options.onMotion?.(posed, seconds, (turning && !still) || tearing);
-    // Where the processor draws, a frame that is soon drawn again is not worth all its pixels.
-    this.#isPlain = resting && this.#stage.isSoftware && !this.#bitmaps.settled;
-    const steady = !stepping && !this.#handled;
-    if (!filmFrames?.isSkipped) {
-      this.#stage.draw({ resting: isFull && !this.#isPlain, steady, pixels });
-    }
-    this.#bitmaps.paused = !resting;
-    this.#crossFade.step(now, this.turning.spread);
-    if (this.#destroyed) return;
-    if (this.#isStill) this.#stillHistory.update(this.#viewKey);
-    else if (!turning && isFlat && !this.#crossFade.isOn) this.#askForFrame();
-    if (moving || this.#crossFade.isOn) this.#askForFrame();
-    else this.#bound.ticks.stop();
-    if (!resting) this.#sharpness.pause();
-    else if (!turning) {
-      const drawn = this.#bound.faceTextures.open.filter(({ page }) => !this.isElement(page));
-      this.#sharpness.look(drawn, this.#cssWidth, this.#cssHeight);
-    }
-    const isMoving = stepping || this.#handled || this.#crossFade.isOn || (turning && !peek.flight);
-    this.#viewHistory.update(isMoving ? "" : this.#viewKey);
-  }
-
-  /** Folds a corner that is held still over its page for long enough. Returns whether one is, or may be. */
-  #pressCorner(seconds: number): boolean {
-    const { foldsByHand, onPress } = this.#options;
-    const { drags, engine } = this.#bound;
-    // The book is bound by an engine that creases once it rests, which a leaf that is pressed does not.
-    const mayFold = foldsByHand?.() && engine.creases !== undefined;
-    const ear = mayFold && onPress ? drags.step(seconds) : false;
-    if (typeof ear === "boolean") return ear;
-    void onPress?.(ear).finally(() => drags.letGo());
-    return true;
-  }
-
-  get #viewKey(): string {
-    return `${this.turning.spread} ${this.#stage.viewKey}`;
-  }
-
-  /** Shows the bitmaps of pages that are elements, or the paper under these. */
-  #setStill(isStill: boolean): void {
-    if (isStill === this.#isStill) return;
-    this.#isStill = isStill;
-    if (!isStill) this.#stillHistory.update("");
-    this.#bound.faceTextures.show(this.#foldOut.parts, isStill);
   }
 
   get #bound(): BoundBook {
@@ -691,10 +570,8 @@ export class Viewer {
     const page = pageOf(before, this.turning.spread);
     const isRenumbered = this.#rebinder.willRenumber;
     this.#rebinder.bindAnew(this.#cssWidth, this.#cssHeight);
-    this.#bound.drags.foldOut = this.#foldOut;
     this.sheets.bound();
-    this.#viewHistory.forget();
-    this.#stillHistory.forget();
+    this.#frames.bound();
     const { edge, layout } = this.binding;
     if (edge !== before.edge || layout !== before.layout) this.#options.onLayout?.();
     this.#options.onPageWidth?.();
@@ -733,14 +610,14 @@ export class Viewer {
   #showArrived(): void {
     if (this.#destroyed) return;
     const hasChanged = this.#updateFaces();
-    if (hasChanged || (this.#isPlain && this.#bitmaps.settled)) this.invalidate();
+    if (hasChanged || this.#frames.isOutdated) this.invalidate();
   }
 
   /** Updates the bitmap of every face, and requests the pages wanted next. Returns whether any is new. */
   #updateFaces(): boolean {
     const { faceTextures: picturing } = this.#bound;
     if (this.#cssWidth > 0) picturing.want(this.#bitmapWidths);
-    const hasChanged = picturing.show(this.#foldOut.parts, this.#isStill);
+    const hasChanged = picturing.show(this.#foldOut.parts, this.#frames.isStill);
     this.sheets.show();
     this.#sharpness.keep(picturing.pages);
     return hasChanged;

@@ -1,9 +1,7 @@
 /** The options of a viewer. */
 
 import type { DogEar } from "../book/dog_ears.ts";
-import type { LayoutLists } from "../book/moved_lists.ts";
 import type { Paper } from "../book/paper.ts";
-import type { TearLine } from "../engine/shapes.ts";
 import type { ModelChoice } from "../leaf_models/model_choice.ts";
 import type { BookError } from "../sources/page_source.ts";
 import type { BookPose } from "../stage/book_pose.ts";
@@ -11,8 +9,6 @@ import type { BindingOptions } from "./bound_book.ts";
 
 /** What tearing leaves out asks of the owner of the book's pages. */
 export interface TearOwner {
-  /** Returns how the leaves are bound; null if none may be torn out now. */
-  line(): TearLine | null;
   /** Returns whether the leaf with these pages (from 1) may be torn out, as it begins to tear. */
   mayTear(pages: readonly number[]): boolean;
   /**
@@ -41,11 +37,6 @@ export interface ViewerOptions extends Partial<BindingOptions> {
    * page; called likewise. The default is no.
    */
   readonly opensShut?: () => boolean;
-  /**
-   * Returns the options that name pages, by their numbers of now; called once pages have moved. The
-   * default is that they go on to name the same numbers.
-   */
-  readonly lists?: () => LayoutLists;
   /** Returns the length of a played turn in seconds; called likewise. */
   readonly turnSeconds: () => number;
   /**
@@ -75,7 +66,7 @@ export interface ViewerOptions extends Partial<BindingOptions> {
    * released once the promise resolves.
    */
   readonly onPress?: (ear: DogEar) => Promise<unknown>;
-  /** How leaves are torn out, and who owns their pages. The default is that they are not. */
+  /** Who owns the pages of leaves that are torn out. The default is that none are. */
   readonly tearing?: TearOwner;
   /** The zoom level has changed: the current one, or the one the camera is moving to. */
   readonly onZoom?: (level: number) => void;

@@ -1,9 +1,9 @@
 /** What is folded over a leaf, for light and shadow. */
 
 import { expect, test } from "vitest";
-import type { CreasedMesh } from "../creased_mesh.ts";
 import { leafPapers } from "../engine/leaf_papers.ts";
 import type { Surface } from "../engine/shapes.ts";
+import type { PaperMesh } from "../paper_mesh.ts";
 import { CreasedVertices, cutOff } from "./creased_vertices.ts";
 import { vertexNumbers } from "./vertex_numbers.ts";
 
@@ -77,7 +77,7 @@ test("what is beyond a crease is cut off for shadows where it comes back over th
 
 test("each vertex knows the part of the leaf that it is of", () => {
   const leaf = strip(170, -170);
-  const { parts } = new CreasedVertices(leaf.creased as CreasedMesh);
+  const { parts } = new CreasedVertices(leaf.creased as PaperMesh);
   // Two columns of each part, of two rows.
   for (const part of [0, 1, 2]) expect(parts.filter((one) => one === part)).toHaveLength(4);
   expect([0, 1, 4, 5].map((point) => parts[point])).toEqual([0, 0, 0, 0]);

@@ -1,7 +1,7 @@
 /** The vertices of a creased leaf: a point on a crease has one for each part of the leaf beside it. */
 
-import { type CreasedMesh, splitMesh, writeMeshNormals } from "../creased_mesh.ts";
 import type { Surface } from "../engine/shapes.ts";
+import { type PaperMesh, splitMesh, writeMeshNormals } from "../paper_mesh.ts";
 import { type VertexNumbers, vertexNumbers } from "./vertex_numbers.ts";
 
 /** Steps along a row by which its direction is known. */
@@ -11,7 +11,7 @@ const stepsBack = 5;
 type BeyondCrease = readonly [point: number, from: number];
 
 /** Those of each mesh, by the parts beyond the creases. */
-const beyondCreases = new WeakMap<CreasedMesh, Map<string, readonly BeyondCrease[]>>();
+const beyondCreases = new WeakMap<PaperMesh, Map<string, readonly BeyondCrease[]>>();
 
 /** The length to which `cutOff` shortens what is folded over: seen as none. */
 const sliver = 1e-3;
@@ -43,7 +43,7 @@ export function straightened(leaf: Surface): Surface {
 /** Returns a leaf with parts laid straight on from its rows, each to a length over its own. */
 function laidOn(
   leaf: Surface,
-  creased: CreasedMesh,
+  creased: PaperMesh,
   parts: readonly number[],
   length: number,
 ): Surface {
@@ -67,7 +67,7 @@ function laidOn(
 
 /** Returns the points of some parts of a mesh. */
 function beyondCrease(
-  creased: CreasedMesh,
+  creased: PaperMesh,
   columns: number,
   parts: readonly number[],
 ): readonly BeyondCrease[] {
@@ -94,7 +94,7 @@ function beyondCrease(
 export class CreasedVertices {
   /** u and v of each vertex, as textures have them: v begins at the head. */
   readonly uv: Float32Array;
-  /** Where each vertex lies by a tear, as `CreasedMesh.tears`. */
+  /** Where each vertex lies by a tear, as `PaperMesh.tears`. */
   readonly tears: Float32Array | undefined;
   /** The part of the leaf, by number, that each vertex belongs to. */
   readonly parts: Float32Array;
@@ -108,7 +108,7 @@ export class CreasedVertices {
   /** The vertices of what is folded over. */
   readonly #flaps: readonly number[];
 
-  constructor(mesh: CreasedMesh) {
+  constructor(mesh: PaperMesh) {
     const { places } = mesh;
     const { points, index, vertices } = splitMesh(mesh);
     this.index = vertexNumbers(points.length, index);

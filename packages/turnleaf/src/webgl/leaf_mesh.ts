@@ -1,7 +1,7 @@
 /** A leaf in flight: two sides over the engine's own memory. */
 
 import { BufferAttribute, BufferGeometry, DynamicDrawUsage, Mesh } from "three";
-import { type CreasedMesh, columnPlace, type Paper, type Surface } from "../engine/shapes.ts";
+import { columnPlace, type Paper, type PaperMesh, type Surface } from "../engine/shapes.ts";
 import { CreasedVertices } from "./creased_vertices.ts";
 import { LeafLight } from "./leaf_light.ts";
 import { geometryOf, sheetGeometry } from "./page_mesh.ts";
@@ -17,7 +17,7 @@ export class LeafMesh {
   readonly rim: RimMesh;
   #columns = 0;
   #rows = 0;
-  #mesh: CreasedMesh | undefined;
+  #mesh: PaperMesh | undefined;
   #creased: CreasedVertices | undefined;
   /** Its own flaps, on its recto and its verso, and what else lies on it. */
   #flaps: readonly [recto: readonly Paper[], verso: readonly Paper[]] = [[], []];

@@ -54,11 +54,15 @@ test.each(packers)("the files of %s are listed and read", async (_, pack) => {
   expect(await messageOf(archive.read("a"))).toBe("book.cbr has no file a; get it again.");
 });
 
-test.each(packers)("names that lead out of an archive of %s are left out", async (_, pack) => {
-  const names = ["../a", "/etc/passwd", "c:/b", "x/../../y", "./good", "a//b"];
-  const file = new Blob([pack(Object.fromEntries(names.map((name) => [name, "1"])))]);
-  expect((await openUnpacked(file, "b")).names).toEqual(["etc/passwd", "b", "good", "a/b"]);
-});
+test.each(packers)(
+  "names that lead out of an archive of %s are names from its root",
+  async (_, pack) => {
+    const names = ["../a", "/etc/passwd", "c:/b", "x/../../y", "./good", "a//b"];
+    const file = new Blob([pack(Object.fromEntries(names.map((name) => [name, "1"])))]);
+    const { names: paths } = await openUnpacked(file, "b");
+    expect(paths).toEqual(["a", "etc/passwd", "b", "y", "good", "a/b"]);
+  },
+);
 
 test.each(packers)("an archive of %s beyond the bounds says so", async (_, pack) => {
   const file = new Blob([pack({ a: "a".repeat(3_000_000), b: "b" })]);

@@ -318,6 +318,39 @@ test.each<[string, (bytes: Uint8Array<ArrayBuffer>) => BlobPart | Promise<BlobPa
   expect([source.pageCount, source.title]).toEqual([2, "Hero 1"]);
 });
 
+/** Returns a ZIP in whose headers some bytes are changed: how each file is packed, and whether it is encrypted. */
+function withHeaders(bytes: Uint8Array, change: (header: DataView) => void): Uint8Array {
+  const at = (k: number, ...mark: readonly number[]): boolean =>
+    mark.every((byte, j) => bytes[k + j] === byte);
+  for (let k = 0; k < bytes.length - 30; k++) {
+    // The central directory has its flags two bytes later.
+    const start = at(k, 0x50, 0x4b, 3, 4) ? k + 6 : at(k, 0x50, 0x4b, 1, 2) ? k + 8 : null;
+    if (start !== null) change(new DataView(bytes.buffer, bytes.byteOffset + start, 4));
+  }
+  return bytes;
+}
+
+test("a comic of which no page can be unpacked is rejected in a sentence", async () => {
+  const files = { "1.png": await scan(4, 6), "2.png": await scan(4, 6) };
+  const opened = (change: (header: DataView) => void): Promise<string> =>
+    messageOf(comic(files, (all) => withHeaders(zip(all), change)));
+  expect(await opened((header) => header.setUint16(0, 1, true))).toBe(
+    "Hero 1.cbz is protected by a password; unpack it first.",
+  );
+  expect(await opened((header) => header.setUint16(2, 14, true))).toBe(
+    "1.png in Hero 1.cbz is packed by LZMA, which cannot be unpacked here; pack it again as usual, by Deflate.",
+  );
+});
+
+test("a comic behind other bytes is read", async () => {
+  const bytes = zip({ "1.png": await scan(4, 6) }) as Uint8Array<ArrayBuffer>;
+  for (const length of [20, 5000]) {
+    const source = await openSource(new File([new Uint8Array(length).fill(1), bytes], "a.cbz"));
+    expect(source.pageCount).toBe(1);
+    expect(await colour(source, 0)).toBe("both");
+  }
+});
+
 test("what is packed otherwise, or damaged, says so", async () => {
   const message = (bytes: BlobPart) => messageOf(openSource(new File([bytes], "x.cbt")));
   expect(await message(Uint8Array.of(0x1f, 0x8b, 8, 0, 1))).toBe(

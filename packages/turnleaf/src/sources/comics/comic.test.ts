@@ -12,3 +12,15 @@ test("pages are in the natural order of their paths, without the endings of name
     "X-10.jpg",
   ]);
 });
+
+test("numbers count in any script", () => {
+  const orders = [
+    ["第一話/1.jpg", "第二話/1.jpg", "第十話/1.jpg", "第十二話/1.jpg", "第百話/1.jpg"],
+    ["①.jpg", "②.jpg", "⑩.jpg", "⑳.jpg"],
+    ["p９.jpg", "p１０.jpg"],
+    ["物語（上）.jpg", "物語（中）.jpg", "物語（下）.jpg"],
+    ["卷壹.jpg", "卷贰.jpg", "卷叁.jpg", "卷拾.jpg"],
+    ["一九.jpg", "二〇.jpg", "二千三.jpg", "一万.jpg"],
+  ];
+  for (const order of orders) expect(inOrder([...order].sort())).toEqual(order);
+});

@@ -105,6 +105,131 @@ test.each([
   await expectDrawnAsLaid(source);
 });
 
+test.each([
+  ["the break of a line", (rule: string) => `<p>one</p><br style="${rule}"/><p>two</p>`],
+  ["that of Word", (rule: string) => `<p>one<span><br style="${rule}"/></span>two</p>`],
+  [
+    "a drawing",
+    (rule: string) =>
+      `<p>one</p><svg xmlns="http://www.w3.org/2000/svg" style="${rule}" viewBox="0 0 9 9" width="9"></svg><p>two</p>`,
+  ],
+  [
+    "a box in one that does not break",
+    (rule: string) => `<div class="box"><p>one</p><p style="${rule}">two</p></div>`,
+  ],
+])("a page is begun at %s", async (_, made) => {
+  for (const box of ["display: inline-block", "overflow: hidden", "position: absolute"]) {
+    const source = await laidOutEpub({
+      chapters: [made("page-break-before: always")],
+      css: `.box { ${box} }`,
+    });
+    expect((await pagesOf(source)).map(letters)).toEqual(["one", "two"]);
+  }
+});
+
+test.each([
+  [
+    "a box as high as the view, and its padding",
+    '<div class="high">one</div><div class="high">two</div>',
+  ],
+  ["a box of any height", '<p>one</p><div style="height: 5000px"></div><p>two</p>'],
+  ["a box of at least some height", '<div style="min-height: 5000px">one</div><p>two</p>'],
+  [
+    "a picture under a margin",
+    `<p>one</p><figure style="break-before: page"><svg xmlns="http://www.w3.org/2000/svg" width="300" height="900"><rect width="300" height="900"/></svg></figure><p>two</p>`,
+  ],
+])("no page is empty because of %s", async (_, body) => {
+  const css = ".high { min-height: 100vh; margin: 0; padding: 20px }";
+  const source = await laidOutEpub({ chapters: [body], css });
+  const pages = (await pagesOf(source)).map(letters);
+  expect(pages).toEqual(body.includes("<svg") ? ["one", "", "two"] : ["one", "two"]);
+});
+
+test.each([
+  [
+    "for screen readers alone",
+    "position: absolute; width: 1px; height: 1px; overflow: hidden; clip: rect(0, 0, 0, 0); margin: -1px; white-space: nowrap",
+  ],
+  ["by a clip", "position: absolute; clip: rect(1px, 1px, 1px, 1px)"],
+  ["by a path", "clip-path: inset(50%)"],
+  ["by no height", "height: 0; overflow: hidden"],
+  ["before the page", "position: absolute; left: -9999px"],
+])("words that are hidden %s are on no page", async (_, style) => {
+  const source = await laidOutEpub({
+    chapters: [
+      `${prose(20)}<h2 style="page-break-before: always">seen</h2><p style="${style}">not</p>`,
+    ],
+  });
+  expect((await pagesOf(source)).map(letters).at(-1)).toBe("seen");
+  await expectDrawnAsLaid(source);
+});
+
+test.each([
+  ["", "p { margin-left: 60px } .z::before { content: ']]>' }"],
+  ["", "a:link { padding-left: 60px } a:any-link { font-size: 30px } a:visited { display: none }"],
+  ["<style type='text/x-other'>p { display: none }</style>", ""],
+  [
+    "<style title='one'>p { margin-left: 60px }</style><style title='two'>p { display: none }</style>",
+    "",
+  ],
+])("what holds where a chapter is laid out holds where it is drawn: %s %s", async (head, css) => {
+  const style = `<style><![CDATA[${css.replace("]]>", "]]]]><![CDATA[>")}]]></style>`;
+  const body = '<p><a href="#x" id="x">words</a></p>';
+  const source = await laidOutEpub({ chapters: [document(head + style, body)] });
+  expect((await pagesOf(source)).map(letters)).toEqual(["words"]);
+  await expectDrawnAsLaid(source);
+});
+
+test("a letter after a hyphen is on its own line", async () => {
+  const source = await laidOutEpub({
+    chapters: [`<p>${"extra\u00adordi\u00adnarily ".repeat(30)}</p>`],
+    css: "p { text-align: justify }",
+  });
+  const runs = (await source.text?.(0, never)) ?? [];
+  const broken = runs.filter(({ text }) => text.endsWith("\u00ad"));
+  expect(broken.length).toBeGreaterThan(2);
+  for (const { text } of broken) expect(text).toMatch(/(extra|ordi)\u00ad$/);
+  await expectDrawnAsLaid(source);
+});
+
+test("a formula that is wider than a line is smaller, or broken", async () => {
+  const sum = (terms: number): string =>
+    `<p>before</p><math xmlns="http://www.w3.org/1998/Math/MathML" display="block"><mrow>${"<mi>a</mi><mo>+</mo>".repeat(terms)}</mrow></math><p>after</p>`;
+  for (const terms of [20, 80]) {
+    const source = await laidOutEpub({ chapters: [sum(terms)] });
+    expect(source.pageCount).toBe(1);
+    const { width } = await source.size(0);
+    const runs = (await source.text?.(0, never)) ?? [];
+    for (const run of runs) expect(run.x + run.width).toBeLessThan(width);
+  }
+});
+
+test.each([
+  ["sideways-lr", "", prose(8)],
+  ["vertical-rl", 'dir="rtl"', prose(8)],
+  ["vertical-rl", "", `<div style="writing-mode: vertical-lr">${prose(8)}</div>`],
+  [
+    "horizontal-tb",
+    "",
+    `<table><tr><th style="writing-mode: vertical-rl">head</th></tr></table>${prose(8)}`,
+  ],
+  [
+    "horizontal-tb",
+    "",
+    `<p>a <span style="writing-mode: vertical-rl; display: inline-block">turned</span> word</p>${prose(8)}`,
+  ],
+])(
+  "lines of any direction are on their pages, where they are laid: %s %s",
+  async (mode, root, body) => {
+    const style = `<style>body { writing-mode: ${mode} }</style>`;
+    const chapter = document(style, body).replace("<html", `<html ${root}`);
+    const source = await laidOutEpub({ chapters: [chapter] });
+    const meant = new DOMParser().parseFromString(body, "text/html").body.textContent ?? "";
+    expect(letters((await pagesOf(source)).join("")).length).toBe(letters(meant).length);
+    await expectDrawnAsLaid(source);
+  },
+);
+
 test("a view's lengths are those of the type area", async () => {
   const source = await laidOutEpub({
     chapters: [
@@ -195,6 +320,50 @@ test.each([
       .split(" ")
       .map((word) => `<th>${word}</th>`)
       .join("")}</tr></table>`,
+  ],
+  [
+    "a box put to the left of the next page",
+    '<p style="position: relative; left: 600px">moved</p>',
+  ],
+  ["a box put far below its page", '<p style="position: absolute; top: 3000px">far below</p>'],
+  ["a box put far beside its page", '<p style="position: absolute; left: 2000px">far beside</p>'],
+  [
+    "a box put beside another",
+    '<div style="position: relative; height: 200px"><p style="position: absolute; right: -300px; bottom: 0">beside</p></div>',
+  ],
+  ["a box that is moved", '<p style="transform: translate(300px)">moved</p>'],
+  ["a margin out of the page", `<p style="margin-left: -300px">${"word ".repeat(80)}</p>`],
+  ["a margin wider than a line", '<p style="margin: 0 400px">words between margins</p>'],
+  ["an indent wider than a line", '<p style="text-indent: 900px">words after an indent</p>'],
+  ["room at the left wider than a line", '<p style="padding-left: 600px">words beside room</p>'],
+  [
+    "quotations within each other",
+    `${"<blockquote>".repeat(30)}deep words${"</blockquote>".repeat(30)}`,
+  ],
+  ["a running text", "<marquee>running words</marquee>"],
+  [
+    "a word that may not be broken",
+    `<p style="white-space: nowrap; overflow-wrap: normal !important">${"x".repeat(300)}</p>`,
+  ],
+  ["a box apart from what is around it", `<div style="contain: strict">${long}</div>`],
+  ["what is laid out when it is seen", `<div style="content-visibility: auto">${long}</div>`],
+  [
+    "a heading over columns that are none",
+    `${long}<h2 style="column-span: all">over</h2>${prose(2)}`,
+  ],
+  [
+    "a table that is scrolled as a box",
+    `<table style="display: block; overflow-x: scroll; white-space: nowrap"><tr>${"<td>a cell</td>".repeat(20)}</tr></table>`,
+  ],
+  [
+    "pages on which all is placed",
+    Array.from({ length: 3 }, (_, page) => {
+      const words = [0, 1, 2].map(
+        (k) =>
+          `<span style="position: absolute; left: ${250 * k}px; top: ${300 * k}px">page${page}line${k}</span>`,
+      );
+      return `<div style="position: relative; width: 600px; height: 800px">${words.join("")}</div>`;
+    }).join(""),
   ],
   [
     "a table of thirty columns",

@@ -3,7 +3,7 @@
 import { limits } from "../limits.ts";
 import type { LostPart } from "../typeset/flow_book.ts";
 import { carriedName, withCarriedShorthands } from "./carried_shorthands.ts";
-import { pagedValue } from "./paged_css.ts";
+import { pagedDeclaration } from "./paged_css.ts";
 import { withoutPrefixes } from "./prefixed_css.ts";
 
 /** Functions that name something to load, in any of their spellings. */
@@ -14,6 +14,18 @@ const address = /url\("((?:[^"\\]|\\.)*)"\)/g;
 
 /** A string of a style sheet; it ends where the line does, so that each is gone through once. */
 const string = /"(?:[^"\\\n\r\f]|\\[\s\S])*"?|'(?:[^'\\\n\r\f]|\\[\s\S])*'?/g;
+
+/**
+ * Pseudo-classes that are true of other elements, or of none, where a section is drawn than where it is
+ * laid out, and selectors that are as specific and mean the same in both.
+ */
+const drawnNames: Readonly<Record<string, string>> = {
+  ":root": "html",
+  ":link": ":where(a, area)[href]",
+  ":any-link": ":where(a, area)[href]",
+  ":visited": ":not(*)",
+};
+const unlikeInDrawing = /:(?:root|link|any-link|visited)\b/g;
 
 /** The name of a layer; one of other characters could end its rule. */
 const layerName = /^[\w.-]*$/;
@@ -131,7 +143,7 @@ async function cleanDeclarations(style: CSSStyleDeclaration, resolve: ResolveCss
     if (!propertyName.test(name)) continue;
     const value = await cleanValue(style.getPropertyValue(property), resolve);
     const priority = style.getPropertyPriority(property) === "" ? "" : " !important";
-    if (value !== null) kept.push(`${name}: ${pagedValue(name, value)}${priority};`);
+    if (value !== null) kept.push(pagedDeclaration(name, value, priority));
   }
   return kept.join(" ");
 }
@@ -169,7 +181,7 @@ async function cleanRules(rules: CSSRuleList, files: Resolvers): Promise<string>
 
 async function cleanRule(rule: CSSRule, files: Resolvers): Promise<string> {
   if (rule instanceof CSSStyleRule) {
-    const selector = rule.selectorText.replace(/:root\b/g, "html");
+    const selector = rule.selectorText.replace(unlikeInDrawing, (name) => drawnNames[name] ?? name);
     const nested = await cleanRules(rule.cssRules ?? [], files);
     return `${selector} { ${await cleanDeclarations(rule.style, files.picture)} ${nested} }`;
   }

@@ -196,10 +196,12 @@ function keepText(root: Element): void {
   for (const section of sections) section.replaceWith(section.data);
   // No script runs.
   for (const other of root.querySelectorAll("noscript")) other.replaceWith(...other.childNodes);
-  for (const old of root.querySelectorAll("xmp, plaintext, listing")) {
-    const pre = ownerDocument.createElementNS(xhtml, "pre");
-    pre.append(...old.childNodes);
-    old.replaceWith(pre);
+  // The text of a marquee would run.
+  for (const old of root.querySelectorAll("xmp, plaintext, listing, marquee")) {
+    const name = old.localName === "marquee" ? "div" : "pre";
+    const kept = ownerDocument.createElementNS(xhtml, name);
+    kept.append(...old.childNodes);
+    old.replaceWith(kept);
   }
 }
 
@@ -211,8 +213,17 @@ async function stylesOf(document: Document, files: MarkupFiles): Promise<readonl
     const href = /href\s*=\s*["']([^"']+)/.exec(node.data)?.[1];
     if (href) sheets.push(() => files.style(href));
   }
+  let preferred = "";
   for (const element of document.querySelectorAll("style, link[rel][href]")) {
-    const media = element.getAttribute("media") ?? "";
+    const [media = "", type = "", title = ""] = ["media", "type", "title"].map((name) =>
+      element.getAttribute(name)?.trim(),
+    );
+    const relations = element.getAttribute("rel")?.toLowerCase().split(/\s+/) ?? [];
+    const isOther = !relations.includes("stylesheet") || relations.includes("alternate");
+    if (element.localName === "link" && isOther) continue;
+    // Of sheets that have titles, those of the first are the document's; others are for readers to choose.
+    preferred ||= title;
+    if (!/^$|css/i.test(type) || (title !== "" && title !== preferred)) continue;
     if (element.localName === "style") {
       sheets.push(async () => {
         const css = element.textContent ?? "";
@@ -220,8 +231,6 @@ async function stylesOf(document: Document, files: MarkupFiles): Promise<readonl
       });
       continue;
     }
-    const relations = element.getAttribute("rel")?.toLowerCase().split(/\s+/) ?? [];
-    if (!relations.includes("stylesheet") || relations.includes("alternate")) continue;
     const href = element.getAttribute("href") ?? "";
     sheets.push(async () => inMedia(await files.style(href), media));
   }

@@ -25,10 +25,32 @@ const areaUnit = {
   max: "max(var(--laid-area-width), var(--laid-area-height))",
 } as const;
 
-/** Returns the value of a property, by its name in full, as it is set in columns. */
-export function pagedValue(name: string, value: string): string {
+/** Values of a property that would keep a box from its page, by the property's name, and what it is set to. */
+const offPage: Readonly<Record<string, readonly [value: RegExp, paged: string]>> = {
+  // There is no view that a box could stay in.
+  position: [/^fixed$/, "absolute"],
+  // A box that is laid out apart from what is around it does not break; of what is out of sight, nothing is laid out.
+  contain: [/./, "none"],
+  "content-visibility": [/^auto$/, "visible"],
+  "column-span": [/^all$/, "var(--laid-column-span, none)"],
+};
+
+/** Properties that set a box in columns of its own. */
+const ownColumns = /^column-(?:count|width)$/;
+
+/** Returns the declaration of a property, by its name in full, as it is set in columns. */
+export function pagedDeclaration(name: string, value: string, priority: string): string {
+  const declaration = `${name}: ${pagedValue(name, value)}${priority};`;
+  // What spans columns is not to span the pages.
+  const hasColumns = ownColumns.test(name) && value !== "auto";
+  return hasColumns ? `${declaration} --laid-column-span: all${priority};` : declaration;
+}
+
+function pagedValue(name: string, value: string): string {
   if (beside.test(name) && newPage.test(value)) return "column";
   if (name === "break-inside" && value === "avoid-page") return "avoid";
+  const [kept, paged] = offPage[name] ?? [];
+  if (kept?.test(value) && paged !== undefined) return paged;
   if (!/\dv|\d[sld]v/.test(value)) return value;
   return value.replace(pieces, (piece) =>
     /^["']/.test(piece)
@@ -40,7 +62,7 @@ export function pagedValue(name: string, value: string): string {
 }
 
 /**
- * Returns the declarations that say how large the type area is, for `pagedValue`'s lengths.
+ * Returns the declarations that say how large the type area is, for the lengths of `pagedDeclaration`.
  *
  * @param width of the area, CSS pixels
  * @param height likewise

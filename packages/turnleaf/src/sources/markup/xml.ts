@@ -15,7 +15,9 @@ export function xmlOf(element: Element): string {
 
 /** Returns text as XML: escaped, without the characters that XML forbids. */
 export function xmlText(text: string): string {
-  return text.replace(forbidden, "").replaceAll("&", "&amp;").replaceAll("<", "&lt;");
+  // Of ">" XML forbids "]]>".
+  const legal = text.replace(forbidden, "").replaceAll("&", "&amp;");
+  return legal.replaceAll("<", "&lt;").replaceAll(">", "&gt;");
 }
 
 /**

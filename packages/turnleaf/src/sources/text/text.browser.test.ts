@@ -50,6 +50,11 @@ test("text is set in paragraphs, lines joined unless they are indented", async (
 test.each([
   ["UTF-8", new TextEncoder().encode("Café")],
   ["UTF-16", Uint8Array.of(0xff, 0xfe, 67, 0, 97, 0, 102, 0, 0xe9, 0)],
+  ["UTF-32", Uint8Array.of(0xff, 0xfe, 0, 0, ...[67, 97, 102, 0xe9].flatMap((c) => [c, 0, 0, 0]))],
+  [
+    "UTF-32, the largest byte first",
+    Uint8Array.of(0, 0, 0xfe, 0xff, ...[67, 97, 102, 0xe9].flatMap((c) => [0, 0, 0, c])),
+  ],
   ["Latin-1", Uint8Array.of(67, 97, 102, 0xe9)],
 ])("text in %s is read", async (_, bytes) => {
   const source = await open(bytes, "a.txt", "text/plain");
@@ -68,6 +73,7 @@ test.each([
     "It’s don’t",
   ],
   ["UTF-16 without its mark", [0x43, 0, 0x61, 0, 0x66, 0, 0xe9, 0], "Café"],
+  ["UTF-32 without its mark", [0x43, 0x61, 0x66, 0xe9].flatMap((c) => [c, 0, 0, 0]), "Café"],
 ])("text in %s, which it does not say, is read", async (_, bytes, text) => {
   const source = await open(Uint8Array.from(bytes), "a.txt", "text/plain");
   expect((await textOf(source)).trim()).toBe(text);

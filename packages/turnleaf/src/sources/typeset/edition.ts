@@ -7,6 +7,7 @@ import type { FlowWarnings } from "./flow_warnings.ts";
 import { LaidChapter } from "./laid_chapter.ts";
 import { LaidSection, OverpaintedError, type SectionMap } from "./laid_section.ts";
 import {
+  areAlike,
   estimatePages,
   type LaidSample,
   linesIn,
@@ -18,7 +19,7 @@ import type { SectionContents } from "./section_contents.ts";
 /** Frames kept, so that neighbouring pages are drawn without laying out again. */
 const keptFrames = 4;
 
-/** Pieces that are laid out before the first estimate: at the half, the quarters and the eighths of the text. */
+/** Pieces that are laid out at most before the first estimate: at the half, the quarters and the eighths of the text. */
 const samples = 7;
 
 /** Editions so far, of all books. */
@@ -108,8 +109,8 @@ export class Edition {
   }
 
   /**
-   * Lays out pieces of the text here and there, from which the numbers of pages can be estimated.
-   * What cannot be laid out is left out.
+   * Lays out pieces of the text here and there, from which the numbers of pages can be estimated, until
+   * those are alike. What cannot be laid out is left out.
    */
   async sample(): Promise<void> {
     for (const section of this.#lengths.spread.slice(0, samples)) {
@@ -118,6 +119,7 @@ export class Edition {
       const sample = await this.#sampleOf(section).catch(() => null);
       if (this.#ended.signal.aborted) return;
       if (sample !== null) this.#samples.set(section, sample);
+      if (areAlike([...this.#samples.values()])) return;
     }
   }
 

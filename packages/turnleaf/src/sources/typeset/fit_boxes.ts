@@ -5,6 +5,7 @@
  */
 
 import type { PageSize } from "../page_source.ts";
+import { opened, type Styles, setStyles, tableParts, tolerance } from "./box_styles.ts";
 import { splitTable } from "./split_table.ts";
 
 /** Rounds of measuring and changing: a box that is opened shows those within it, at most so deep. */
@@ -16,21 +17,8 @@ const smallestTable = 0.6;
 /** From one size of a turned table that is tried to the next. */
 const sizeStep = 0.1;
 
-/** What is not quite a pixel too large is as large as it should be: the browser rounds lengths. */
-const tolerance = 1;
-
-/** Displays that do not break from page to page, and those like them that do. */
-const breaking: Readonly<Record<string, string>> = {
-  "inline-block": "block",
-  "inline-flex": "flex",
-  "inline-grid": "grid",
-  "inline-table": "table",
-};
-
-/** The inner table's parts, whose widths the table decides. */
-const tableParts = /^table-/;
-
-type Styles = Readonly<Record<string, string>>;
+/** Pictures. */
+const replaced = /^(img|video|canvas|object)$/;
 
 /**
  * Changes the styles of the boxes in a section that is set in columns, so that all of them fit.
@@ -38,17 +26,22 @@ type Styles = Readonly<Record<string, string>>;
  * @param body the section's body, laid out
  * @param area the type area, CSS pixels
  * @param writingMode of the section: a box of another one does not break
+ * @param known boxes that have been changed, which stay as they are
  */
-export function fitBoxes(body: Element, area: PageSize, writingMode: string): void {
+export function fitBoxes(
+  body: Element,
+  area: PageSize,
+  writingMode: string,
+  known: WeakSet<Element>,
+): void {
   const isVertical = !writingMode.startsWith("horizontal");
   const view = body.ownerDocument.defaultView as Window & typeof globalThis;
   const [line, page] = isVertical ? [area.height, area.width] : [area.width, area.height];
-  const known = new WeakSet<Element>();
   const range = body.ownerDocument.createRange();
   for (let round = 0; round < rounds; round++) {
     const changes: [HTMLElement, Styles][] = [];
     let done: Element | null = null;
-    for (const element of body.querySelectorAll<HTMLElement>("*")) {
+    for (const element of [body, ...body.querySelectorAll<HTMLElement>("*")]) {
       if (!(element instanceof view.HTMLElement) || known.has(element)) continue;
       // What is within a box that changes is looked at once that has changed.
       if (done?.contains(element)) continue;
@@ -69,12 +62,13 @@ export function fitBoxes(body: Element, area: PageSize, writingMode: string): vo
       const isItem = grid !== null && view.getComputedStyle(grid).display.endsWith("grid");
       const box = isItem ? grid : element;
       const style = view.getComputedStyle(box);
+      const type = { line, page, isVertical };
       const isNarrowed = isWide || !isLined;
       changes.push([
         box,
-        {
+        wholeChange(box, style, isWide, type) ?? {
           ...opened(style, writingMode),
-          ...(isNarrowed ? narrowed(box, style, { line, page, isVertical }) : {}),
+          ...(isNarrowed ? narrowed(box, style, type) : {}),
         },
       ]);
       done = box;
@@ -120,25 +114,6 @@ function isOverfull(element: HTMLElement, rects: readonly DOMRect[], range: Rang
   return isBelow || end.left > own.right + tolerance || end.right < own.left - tolerance;
 }
 
-/** Returns the styles by which a box grows with what is in it and breaks where a page ends. */
-function opened(style: CSSStyleDeclaration, writingMode: string): Styles {
-  const change: Record<string, string> = {};
-  if (tableParts.test(style.display)) return change;
-  if (style.overflow !== "visible") change.overflow = "visible";
-  const display = breaking[style.display];
-  if (display) change.display = display;
-  // A browser does not say whether a height is its own; it is none, if nothing asks for one.
-  change["block-size"] = "auto";
-  change["max-block-size"] = "none";
-  if (style.position === "absolute" || style.position === "fixed") change.position = "static";
-  if (style.writingMode !== writingMode) change["writing-mode"] = writingMode;
-  if (style.contain !== "none") change.contain = "none";
-  if (style.getPropertyValue("-webkit-line-clamp") !== "none") {
-    change["-webkit-line-clamp"] = "none";
-  }
-  return change;
-}
-
 /** The type area as lines lie in it: how long they are, and how much there is across them. */
 interface TypeArea {
   readonly line: number;
@@ -146,14 +121,57 @@ interface TypeArea {
   readonly isVertical: boolean;
 }
 
+/** Returns the styles by which a box that stays whole is smaller; null for one whose content may be laid out anew. */
+function wholeChange(
+  box: HTMLElement,
+  style: CSSStyleDeclaration,
+  isWide: boolean,
+  area: TypeArea,
+): Styles | null {
+  // The section's own style has pictures fit, unless they may not be smaller.
+  if (replaced.test(box.localName)) return { "min-inline-size": "0", "min-block-size": "0" };
+  return isWide && isPlacing(box, style) ? scaledDown(box, area) : null;
+}
+
+/** Returns whether all that a box shows is put somewhere in it, as on a page of fixed layout. */
+function isPlacing(box: HTMLElement, { position }: CSSStyleDeclaration): boolean {
+  const view = box.ownerDocument.defaultView as Window;
+  const shown = [...box.childNodes].filter(
+    (node) => (node as Partial<Element>).getClientRects || node.nodeValue?.trim(),
+  );
+  const isPut = (node: Node): boolean =>
+    node.nodeType === Node.ELEMENT_NODE &&
+    view.getComputedStyle(node as Element).position === "absolute";
+  return position !== "static" && shown.length > 0 && shown.every(isPut);
+}
+
+/** Returns the styles by which a box that is too wide is smaller, with all that is in it. */
+function scaledDown(box: HTMLElement, { line, isVertical }: TypeArea): Styles {
+  const width = widthOf([...box.getClientRects()], isVertical);
+  const content = isVertical ? box.scrollHeight : box.scrollWidth;
+  return { zoom: zoomOf(line / Math.max(width, content)), "break-inside": "avoid" };
+}
+
 /** Returns the styles by which a box is no wider than a line. */
 function narrowed(element: HTMLElement, style: CSSStyleDeclaration, area: TypeArea): Styles {
   const { display, whiteSpace } = style;
   if (tableParts.test(display)) return {};
-  if (display === "table" || display === "inline-table") {
+  const view = element.ownerDocument.defaultView as Window;
+  const row = element.querySelector("tr");
+  // A table that was made a box to be scrolled.
+  const isBoxed =
+    element.localName === "table" &&
+    display === "block" &&
+    row !== null &&
+    view.getComputedStyle(row).display === "table-row";
+  if (isBoxed) setStyles(element, { display: "table", overflow: "visible" });
+  if (isBoxed || display === "table" || display === "inline-table") {
     return fittedTable(element, area);
   }
-  const change: Record<string, string> = { "max-inline-size": "100%", "min-inline-size": "0" };
+  const change: Record<string, string> = {
+    ...{ "max-inline-size": "100%", "min-inline-size": "0" },
+    ...{ "overflow-wrap": "break-word", "word-break": "normal" },
+  };
   if (whiteSpace === "pre") change["white-space"] = "pre-wrap";
   else if (whiteSpace === "nowrap") change["white-space"] = "normal";
   if (display.endsWith("flex")) change["flex-wrap"] = "wrap";
@@ -230,8 +248,20 @@ function turnedStyles(page: number, size: number): Styles {
   };
 }
 
-function setStyles(element: HTMLElement, styles: Styles): void {
-  for (const [name, value] of Object.entries(styles)) {
-    element.style.setProperty(name, value, "important");
+/**
+ * Fixes how long the lines are in boxes where they stand across those around them, as they are laid out. By
+ * themselves they are as long as the view lets them be, which is another where a section is drawn.
+ *
+ * @param body the section's body, laid out
+ */
+export function fixCrossed(body: Element): void {
+  const view = body.ownerDocument.defaultView as Window & typeof globalThis;
+  const isUpright = (element: Element): boolean =>
+    !view.getComputedStyle(element).writingMode.startsWith("horizontal");
+  const lengths = new Map<HTMLElement, string>();
+  for (const element of body.querySelectorAll<HTMLElement>("*")) {
+    if (isUpright(element) === isUpright(element.parentElement as Element)) continue;
+    lengths.set(element, view.getComputedStyle(element).inlineSize);
   }
+  for (const [element, length] of lengths) setStyles(element, { "inline-size": length });
 }

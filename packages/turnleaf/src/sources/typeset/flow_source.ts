@@ -23,11 +23,11 @@ import { drawMarkup } from "./draw_markup.ts";
 import { Edition } from "./edition.ts";
 import { type FlowBook, type FlowOutline, type FlowTarget, isAllText } from "./flow_book.ts";
 import { FlowWarnings } from "./flow_warnings.ts";
-import { idle } from "./idle.ts";
 import type { LaidChapter } from "./laid_chapter.ts";
 import { Narrator } from "./narrator.ts";
-import { NumberedPages } from "./numbered_pages.ts";
-import { firstRead, openingRead, SectionLengths } from "./page_estimate.ts";
+import type { NumberedPages } from "./numbered_pages.ts";
+import { type CountedBook, closedError, nearSections, PageCounter } from "./page_counter.ts";
+import { openingRead, SectionLengths } from "./page_estimate.ts";
 import { leafOf, mayFace, paperback } from "./page_measures.ts";
 import type { SectionPage } from "./page_numbers.ts";
 import { RunningHeads } from "./running_heads.ts";
@@ -36,35 +36,17 @@ import {
   anchorOf,
   pageAtFraction,
   pageOfPlace,
-  placeOfAnchor,
   placeOfPage,
   type TextPlace,
 } from "./text_place.ts";
 import { type LoadedTitleFont, loadTitleFont } from "./title_font.ts";
 import { ownTypography } from "./typography.ts";
 
-/** Sections about the reader's place: those of two open pages, and one beside them. */
-const nearSections = 3;
-
-/** Milliseconds after which a section is laid out for its number of pages, even where there is no rest. */
-const longestWait = 300;
-
-/** The fraction by which the shown number of pages may be off before it is corrected while pages are counted. */
-const mostOff = 0.05;
-
 /** Drawn pages whose numbers are known: more than are kept as pictures. */
 const mostDrawn = 200;
 
 /** Sections that the links of one page may have laid out, to find where they lead. */
 const mostTargets = 4;
-
-/** The lengths of a book's sections, of which the first are being read. */
-interface ReadLengths {
-  readonly lengths: SectionLengths;
-  readonly reading: Promise<void>;
-  /** Ends the reading, and the book. */
-  readonly ended: AbortController;
-}
 
 /**
  * A book of flowing text, set into pages. Sections are laid out when they are
@@ -88,28 +70,13 @@ export class FlowSource implements PageSource {
   /** Absent if all pages are turned. */
   readonly roll?: (index: number) => number | null;
   readonly #book: FlowBook;
-  readonly #contents: SectionContents;
   readonly #warnings: FlowWarnings;
-  readonly #lengths: SectionLengths;
-  /** Resolves once the first of these are read. */
-  readonly #reading: Promise<void>;
-  /** Another edition, whose pages are to replace these. */
-  #next: Edition | null = null;
-  readonly #pages: NumberedPages;
-  /** Resolves once all pages of the last edition are counted. */
-  #counting: Promise<void>;
-  #listener: ((change: () => NewIndex) => void) | null = null;
-  #isDue = false;
-  /** Whether parts of the book are laid out by which its pages are estimated, and whether these are. */
-  #isSampled = false;
-  #hasEstimate = false;
-  #estimating: Promise<void> | null = null;
+  readonly #counter: PageCounter;
   /** Pages that are being drawn. */
   #drawing = 0;
   #onDrawing: ((index: number) => void) | null = null;
   /** The sections that were drawn last, the last one first. */
   #recent: readonly number[] = [0];
-  readonly #ended: AbortController;
   readonly #heads: RunningHeads;
   readonly #titleFont: LoadedTitleFont | null;
   /** The pages that were drawn last, which have their numbers on them. */
@@ -139,24 +106,12 @@ export class FlowSource implements PageSource {
         throw error;
       }
     }
-    return new FlowSource(
-      book,
-      contents,
-      warnings,
-      edition,
-      { lengths, reading, ended },
-      titleFont,
-    );
+    const counted = { book, contents, warnings, lengths, reading, ended };
+    return new FlowSource(counted, edition, titleFont);
   }
 
-  private constructor(
-    book: FlowBook,
-    contents: SectionContents,
-    warnings: FlowWarnings,
-    edition: Edition,
-    { lengths, reading, ended }: ReadLengths,
-    titleFont: LoadedTitleFont | null,
-  ) {
+  private constructor(counted: CountedBook, edition: Edition, titleFont: LoadedTitleFont | null) {
+    const { book, warnings } = counted;
     this.title = book.title;
     this.titleDirection = book.titleDirection ?? "auto";
     this.language = book.language;
@@ -169,15 +124,15 @@ export class FlowSource implements PageSource {
     // A name without a word about it is an author's.
     this.authors = this.details.filter(({ label }) => label === "").map(({ value }) => value);
     this.#book = book;
-    this.#contents = contents;
     this.#warnings = warnings;
-    this.#lengths = lengths;
-    this.#reading = reading;
-    this.#ended = ended;
     this.#heads = new RunningHeads(book);
-    this.#pages = new NumberedPages(book.sections.length, edition);
+    this.#counter = new PageCounter(counted, edition, {
+      recent: () => this.#recent,
+      renumbering: () => this.narration?.forgetPages(),
+      renumbered: (moved) => this.#renumbered(moved),
+    });
     if (book.sections.some(({ isFixed }) => !isFixed)) {
-      this.typeset = (typography) => this.#typeset(typography);
+      this.typeset = (typography) => this.#counter.typeset(typography);
     }
     if (book.sections.some(({ roll }) => roll !== undefined)) {
       this.roll = (index) => book.sections[this.#pages.numbers.at(index).section]?.roll ?? null;
@@ -190,17 +145,10 @@ export class FlowSource implements PageSource {
         redraw: (section, pages) => this.#redraw(section, pages),
       });
     }
-    this.#counting = this.#layRest(edition);
   }
 
-  /**
-   * Resolves once the number of pages is estimated by text of the whole book, and by parts of it that are
-   * laid out. That begins when it is first asked for, and else once the first pages are drawn: a book is
-   * read sooner than its number of pages.
-   */
   get estimated(): Promise<void> {
-    this.#estimating ??= this.#estimate();
-    return this.#estimating;
+    return this.#counter.estimated;
   }
 
   get pageCount(): number {
@@ -235,7 +183,7 @@ export class FlowSource implements PageSource {
   }
 
   get isGuessed(): boolean {
-    return this.isEstimated && !this.#hasEstimate;
+    return this.#counter.isGuessed;
   }
 
   async size(index: number, signal?: AbortSignal): Promise<PageSize> {
@@ -292,7 +240,7 @@ export class FlowSource implements PageSource {
     const others = this.#recent.filter((other) => other !== section);
     this.#recent = [section, ...others].slice(0, nearSections);
     const { laid, page } = await this.#layPage(index, signal);
-    if (this.#isClosed) throw this.#closed();
+    if (this.#counter.isClosed) throw closedError(this.#book);
     laid.mark(this.narration?.markIn(section) ?? null);
     const size = laid.layoutSize;
     // Its pages were estimated.
@@ -318,10 +266,10 @@ export class FlowSource implements PageSource {
         cause: error,
       });
     });
-    if (!signal.aborted && !this.#isClosed) return picture;
+    if (!signal.aborted && !this.#counter.isClosed) return picture;
     picture.close();
     signal.throwIfAborted();
-    throw this.#closed();
+    throw closedError(this.#book);
   }
 
   async text(index: number, signal: AbortSignal, exact = false): Promise<readonly TextRun[]> {
@@ -340,7 +288,7 @@ export class FlowSource implements PageSource {
           edition.measure(section).catch(() => {}),
           signal,
         );
-        if (this.#isClosed) throw this.#closed();
+        if (this.#counter.isClosed) throw closedError(this.#book);
         const map = edition.mapOf(section);
         if (map === undefined) continue;
         for (let page = pageOfPlace(place, map); page < map.pageCount; page++) {
@@ -433,40 +381,20 @@ export class FlowSource implements PageSource {
     return anchorOf(this.#pages.placeOn(index));
   }
 
-  async findAnchors(anchors: readonly string[]): Promise<readonly (number | null)[]> {
-    const edition = (this.#listener === null && this.#next) || this.#edition;
-    const places = anchors.map((anchor) => {
-      const place = placeOfAnchor(anchor);
-      return place !== null && place.section < this.#book.sections.length ? place : null;
-    });
-    for (const place of places) {
-      // A section that cannot be laid out says so on its page.
-      if (place) await edition.measure(place.section).catch(() => {});
-    }
-    if (this.#isClosed) throw this.#closed();
-    if (this.#listener === null) this.#change();
-    else if (places.some((place) => place && !this.#pages.numbers.isKnown(place.section)))
-      this.#announce();
-    return places.map((place) => place && this.#pages.indexOfPlace(place));
+  findAnchors(anchors: readonly string[]): Promise<readonly (number | null)[]> {
+    return this.#counter.findAnchors(anchors);
   }
 
   keepSide(index: number, side: "first" | "second"): void {
     this.#pages.keepSide(index, side);
   }
 
-  async settle(signal?: AbortSignal): Promise<void> {
-    let counted: Promise<void>;
-    do {
-      counted = this.#counting;
-      await (signal ? orAborted(counted, signal) : counted);
-      if (this.#isClosed) throw this.#closed();
-      if (this.#listener === null && this.#isDue) this.#change();
-    } while (counted !== this.#counting);
+  settle(signal?: AbortSignal): Promise<void> {
+    return this.#counter.settle(signal);
   }
 
   watchPages(listener: (change: () => NewIndex) => void): void {
-    this.#listener = listener;
-    if (this.#isDue) this.#announce();
+    this.#counter.watch(listener);
   }
 
   watchDrawings(listener: (index: number) => void): void {
@@ -474,25 +402,23 @@ export class FlowSource implements PageSource {
   }
 
   close(): void {
-    if (this.#isClosed) return;
-    this.#ended.abort();
-    this.#edition.close();
-    this.#next?.close();
+    if (this.#counter.isClosed) return;
+    this.#counter.close();
     this.#titleFont?.close();
     this.#book.close();
   }
 
-  get #edition(): Edition {
-    return this.#pages.edition;
+  get #pages(): NumberedPages {
+    return this.#counter.pages;
   }
 
-  get #isClosed(): boolean {
-    return this.#ended.signal.aborted;
+  get #edition(): Edition {
+    return this.#counter.edition;
   }
 
   /** Returns which page a page is. */
   #at(index: number): SectionPage {
-    if (this.#isClosed) throw this.#closed();
+    if (this.#counter.isClosed) throw closedError(this.#book);
     if (!(index >= 0 && index < this.pageCount)) {
       throw new BookError(`${this.#book.name} has no page ${index + 1}; turn to another.`, {
         code: "noPage",
@@ -500,13 +426,6 @@ export class FlowSource implements PageSource {
       });
     }
     return this.#pages.show(this.#pages.numbers.at(index));
-  }
-
-  #closed(): BookError {
-    return new BookError(`${this.#book.name} is closed; open it again.`, {
-      code: "closed",
-      source: this.#book.name,
-    });
   }
 
   /** Lays out the section of a page (from 0), and returns which of its pages that is. */
@@ -526,13 +445,13 @@ export class FlowSource implements PageSource {
         ? pageAtFraction(numbered.page / numbers.countOf(section), laid.map.pageCount)
         : this.#pages.show(numbered).page;
     // Now that it is known what is shown under the number.
-    this.#checkCount(section, laid);
+    this.#counter.checkCount(section, laid);
     return { laid, page };
   }
 
   async #lay(section: number, signal: AbortSignal): Promise<LaidChapter> {
     const laid = await this.#laid(section, signal);
-    this.#checkCount(section, laid);
+    this.#counter.checkCount(section, laid);
     return laid;
   }
 
@@ -541,13 +460,8 @@ export class FlowSource implements PageSource {
       return await this.#edition.lay(section, signal);
     } catch (error) {
       signal.throwIfAborted();
-      throw this.#isClosed ? this.#closed() : error;
+      throw this.#counter.isClosed ? closedError(this.#book) : error;
     }
-  }
-
-  /** Corrects the number of a section's pages if it was estimated otherwise. */
-  #checkCount(section: number, { map }: LaidChapter): void {
-    if (map.pageCount !== this.#pages.numbers.countOf(section)) this.#announce();
   }
 
   /** Reports that pages of a section look otherwise; all of them if `pages` is null. */
@@ -556,109 +470,6 @@ export class FlowSource implements PageSource {
     for (const page of pages ?? Array.from({ length: count }, (_, k) => k)) {
       this.#onDrawing?.(this.#pages.indexOf(section, page));
     }
-  }
-
-  async #typeset(typography: Typography): Promise<void> {
-    const next = new Edition(
-      this.#book,
-      this.#contents,
-      this.#warnings,
-      this.#lengths,
-      typography,
-      this.#edition,
-    );
-    this.#next?.close();
-    this.#next = next;
-    try {
-      // Where the reader is first. What was drawn before the last jump is not seen.
-      const [here = 0] = this.#recent;
-      const near = this.#recent.filter((section) => Math.abs(section - here) < nearSections);
-      for (const section of near) await next.lay(section);
-    } catch (error) {
-      if (this.#next !== next || this.#isClosed) return;
-      // A section that cannot be laid out says so on its page.
-      if (!(error instanceof BookError)) throw error;
-    }
-    if (this.#next === next) this.#announce();
-  }
-
-  /** Lays out every section once, those about the reader first, so that all pages are known; then changes to them. */
-  async #layRest(edition: Edition): Promise<void> {
-    const isCurrent = (): boolean => !this.#isClosed && edition === (this.#next ?? this.#edition);
-    const rest = new Set(this.#book.sections.keys());
-    while (rest.size > 0) {
-      // What the reader sees goes first.
-      await idle(longestWait);
-      if (!isCurrent()) return;
-      const [here = 0] = this.#recent;
-      const distance = (section: number): number => Math.abs(section - here);
-      const section = [...rest].reduce((a, b) => (distance(b) < distance(a) ? b : a));
-      rest.delete(section);
-      // A section that cannot be laid out says so on its page.
-      await edition.measure(section).catch(() => {});
-      if (isCurrent() && rest.size > 0) this.#correct();
-    }
-    if (!isCurrent()) return;
-    edition.isCounted = true;
-    this.#announce();
-  }
-
-  /** Reads and lays out parts of the book by which the rest is estimated, announces that, and reads on. */
-  async #estimate(): Promise<void> {
-    const { signal } = this.#ended;
-    await this.#reading;
-    if (!this.#isClosed) await this.#lengths.read(signal, firstRead - openingRead);
-    if (this.#isClosed) return;
-    await this.#edition.sample();
-    this.#isSampled = true;
-    // Otherwise what is counted is about to be announced.
-    if (!this.#edition.isLaid) this.#announce();
-    void this.#lengths.read(signal).then(() => this.#correct());
-  }
-
-  /** Corrects an estimate of the number of pages that has turned out to be clearly wrong. */
-  #correct(): void {
-    if (this.#isClosed || this.#next || !this.#isSampled) return;
-    const { pageCount } = this.#pages.numbers;
-    const off = Math.abs(this.#pages.estimate - pageCount);
-    if (off > mostOff * pageCount) this.#announce();
-  }
-
-  #announce(): void {
-    if (this.#isClosed) return;
-    this.#isDue = this.#listener === null;
-    this.#listener?.(() => this.#change());
-  }
-
-  /** Counts the pages anew: of another edition, or by what is known of this one. */
-  #change(): NewIndex {
-    this.#isDue = false;
-    this.#hasEstimate = this.#isSampled;
-    this.narration?.forgetPages();
-    const next = this.#next;
-    if (next === null) return this.#renumbered(this.#pages.change(this.#edition));
-    const before = this.#edition;
-    this.#next = null;
-    const moved = this.#pages.change(next);
-    before.close();
-    this.#counting = this.#layRest(next);
-    this.#drawn.clear();
-    return moved;
-  }
-
-  /** Has the pages drawn anew that have another number, once they have it. */
-  #renumbered(moved: NewIndex): NewIndex {
-    const drawn = [...this.#drawn];
-    this.#drawn.clear();
-    queueMicrotask(() => {
-      for (const index of drawn) {
-        const now = moved(index);
-        if (now === null || this.#isClosed) continue;
-        this.#drawn.add(now);
-        if (now !== index) this.#onDrawing?.(now);
-      }
-    });
-    return moved;
   }
 
   #keepDrawn(index: number): void {
@@ -677,6 +488,21 @@ export class FlowSource implements PageSource {
     const page = this.#pages.indexOf(section, map?.ids.get(id) ?? 0) + 1;
     const top = map?.tops.get(id);
     return top === undefined ? { page } : { page, top };
+  }
+
+  /** Has the pages drawn anew that have another number, once they have it. */
+  #renumbered(moved: NewIndex | null): void {
+    const drawn = [...this.#drawn];
+    this.#drawn.clear();
+    if (moved === null) return;
+    queueMicrotask(() => {
+      for (const index of drawn) {
+        const now = moved(index);
+        if (now === null || this.#counter.isClosed) continue;
+        this.#drawn.add(now);
+        if (now !== index) this.#onDrawing?.(now);
+      }
+    });
   }
 }
 

@@ -15,8 +15,6 @@ export interface LayoutFrame {
   /** The element around it: the root of a document of its own, of which lengths in rem are. */
   readonly drawing: SVGElement;
   readonly root: HTMLElement;
-  /** What its style sheets are adopted by. */
-  readonly styled: DocumentOrShadowRoot;
   /** Applies style sheets, whatever the page's policy says of inline styles. */
   adopt(sheets: readonly string[]): void;
   /** Returns the fonts that its style sheets name. */
@@ -55,10 +53,11 @@ export async function openFrame(
   const { drawing, root } = drawingIn(frame, width, height);
   frame.documentElement.replaceWith(drawing);
   const adopt = (sheets: readonly string[]): void => {
-    frame.adoptedStyleSheets = sheetsOf(sheets, frame.defaultView as Window & typeof globalThis);
+    const view = frame.defaultView as Window & typeof globalThis;
+    frame.adoptedStyleSheets = sheetsOf([unmovedStyle, ...sheets], view);
   };
   return {
-    ...{ document: frame, drawing, root, styled: frame, adopt },
+    ...{ document: frame, drawing, root, adopt },
     fonts: () => [...frame.fonts],
     close: remove,
   };
@@ -121,9 +120,9 @@ function openShadow(width: number, height: number): LayoutFrame {
     document.adoptedStyleSheets = [...others, ...rules];
   };
   return {
-    ...{ document, drawing, root, styled: shadow },
+    ...{ document, drawing, root },
     adopt: (sheets) => {
-      shadow.adoptedStyleSheets = sheetsOf(sheets, window);
+      shadow.adoptedStyleSheets = sheetsOf([unmovedStyle, ...sheets], window);
       // Fonts are the document's alone.
       withRules(sheetsOf([sheets.flatMap((css) => css.match(fontRule) ?? []).join("\n")], window));
     },
@@ -158,7 +157,19 @@ function sheetsOf(sheets: readonly string[], view: Window & typeof globalThis): 
 export const fontRule: RegExp = /@font-face \{ [^{}]*\}/g;
 
 /** Properties that move boxes after they are laid out. */
-const moving = ["transform", "translate", "rotate", "scale", "offset-path"];
+export const moving: readonly string[] = [
+  "transform",
+  "translate",
+  "rotate",
+  "scale",
+  "offset-path",
+];
+
+/** Marks the root of a frame in which no box is moved for now. */
+const unmovedAttribute = "data-turnleaf-unmoved";
+
+/** The rule for that. What is important in the first layer is above all else that is important in style sheets. */
+const unmovedStyle = `@layer { [${unmovedAttribute}] * { ${moving.map((name) => `${name}: none !important;`).join(" ")} } }`;
 
 /** Gives elements their own styles. */
 export function applyInlineStyles(html: HTMLElement): void {
@@ -181,18 +192,10 @@ export function isMoved(element: Element): boolean {
 }
 
 /** Returns what is measured while no box is moved: a box that is fills no pages, nor leaves any empty. */
-export function unmoved<T>({ document, styled }: LayoutFrame, measure: () => T): T {
-  const rule = `* { ${moving.map((name) => `${name}: none !important;`).join(" ")} }`;
-  // What is important in the first layer is above all else that is important in style sheets.
-  const first = sheetsOf(
-    [`@layer { ${rule} }`],
-    document.defaultView as Window & typeof globalThis,
-  );
-  // The others stay, with their fonts as they are loaded.
-  const sheets = styled.adoptedStyleSheets;
-  styled.adoptedStyleSheets = [...first, ...sheets];
+export function unmoved<T>({ root }: LayoutFrame, measure: () => T): T {
+  root.setAttribute(unmovedAttribute, "");
   const measured = measure();
-  styled.adoptedStyleSheets = sheets;
+  root.removeAttribute(unmovedAttribute);
   return measured;
 }
 

@@ -3,7 +3,10 @@ import { isPageSize, limits } from "../limits.ts";
 import type { PageBox, PageColours, PageSize, TextRun, Typography } from "../page_source.ts";
 import { orAborted } from "../shared_tasks.ts";
 import { alignText, alignUnsaid } from "./align_text.ts";
-import { fitBoxes } from "./fit_boxes.ts";
+import { honourBreaks } from "./asked_breaks.ts";
+import { setStyles } from "./box_styles.ts";
+import { fitBoxes, fixCrossed } from "./fit_boxes.ts";
+import { fitFormulas } from "./fit_formulas.ts";
 import {
   type FlowContent,
   type LostPart,
@@ -23,14 +26,17 @@ import {
   ownStyle,
   unmoved,
 } from "./frame.ts";
+import { hideClipped } from "./hide_clipped.ts";
 import { divideWords } from "./hyphenation/divide_words.ts";
 import { bleed } from "./lone_picture.ts";
 import { type MarginStyle, Markup, type PageMargins } from "./markup.ts";
 import { blankIds, isNoteLink, noteText } from "./notes.ts";
 import { leafOf, measuresOf, type PageMeasures } from "./page_measures.ts";
 import { mostNanoseconds, paintingOf } from "./paint_cost.ts";
+import { placeBoxes } from "./place_boxes.ts";
 import { type PageFlow, pageOfRect, TextMap } from "./text_map.ts";
 import { type TitleFace, titleFaceIn } from "./title_font.ts";
+import { trimHeights } from "./trim_heights.ts";
 import { isTypeface, typefaceRules } from "./typefaces/typefaces.ts";
 import {
   baseStyle,
@@ -340,7 +346,7 @@ async function layIn<T>(
   if (!content.size && isTypeface(font)) own.unshift(await typefaceRules(font));
   let flow: PageFlow = { stepX: 0, stepY: 0, isVertical: false };
   frame.adopt([...own, reader]);
-  const { writingMode, direction } = writingOf(body, view);
+  const { writingMode, direction, isMixed } = writingOf(body, view);
   const isVertical = !writingMode.startsWith("horizontal");
   // Lines that stand upright are scrolled page by page.
   const isSliced = isScrolled && !isVertical && !content.size;
@@ -350,10 +356,13 @@ async function layIn<T>(
     flow = isVertical
       ? { stepX: 0, stepY: page.height, isVertical }
       : { stepX: direction === "rtl" ? -page.width : page.width, stepY: 0, isVertical };
-    html.style.setProperty("writing-mode", writingMode, "important");
+    for (const element of [html, body as HTMLElement])
+      setStyles(element, { "writing-mode": writingMode });
+    if (isVertical) setStyles(body as HTMLElement, { direction });
   }
-  const inColumns =
-    content.size || isSliced ? [] : [reader, columnStyle(page, isVertical, direction)];
+  // Columns of lines that stand upright follow each other down the frame, wherever the lines begin.
+  const columns = columnStyle(page, isVertical, isVertical ? "ltr" : direction);
+  const inColumns = content.size || isSliced ? [] : [reader, columns];
   // What the book calls the root's size is that of its own <html>.
   const rem = view.getComputedStyle(html).fontSize;
   html.style.setProperty("font-size", rem, "important");
@@ -368,12 +377,21 @@ async function layIn<T>(
   const area = { width: page.width - 2 * page.sides, height: page.height - 2 * page.ends };
   if (inColumns.length > 0 && (await bleed(html, area, page))) {
     page = { ...page, sides: 0, ends: 0 };
-    own.push(reader, columnStyle(page, isVertical, direction));
+    own.push(reader, columnStyle(page, isVertical, isVertical ? "ltr" : direction));
     frame.adopt(own);
   } else if (!content.size) {
     own.push(...inColumns);
     // A roll has no ends that anything could be cut at.
-    fitBoxes(body, isSliced ? { ...area, height: Number.POSITIVE_INFINITY } : area, writingMode);
+    const ends = isSliced ? { height: Number.POSITIVE_INFINITY } : {};
+    const fitted = new WeakSet<Element>();
+    const fit = (): void => fitBoxes(body, { ...area, ...ends }, writingMode, fitted);
+    hideClipped(body);
+    if (!isSliced) honourBreaks(body, writingMode);
+    fit();
+    fitFormulas(body, isVertical);
+    if (placeBoxes(frame, body, flow, { ...page, ...ends })) fit();
+    if (!isSliced) trimHeights(body, flow, area);
+    if (isMixed) fixCrossed(body);
   }
   if (isSliced) {
     size = { width: page.width, height: sliceHeight(html, page) };

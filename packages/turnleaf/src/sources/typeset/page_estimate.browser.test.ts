@@ -3,8 +3,9 @@ import { countOn, holdCounting } from "../../for_tests/held_counting.ts";
 import { isLong } from "../../for_tests/long.ts";
 import { prose, tinyEpub } from "../epub/tiny_epub.ts";
 import { openSource } from "../open.ts";
+import type { FlowSection } from "./flow_book.ts";
 import type { FlowSource } from "./flow_source.ts";
-import { linesIn } from "./page_estimate.ts";
+import { linesIn, SectionLengths } from "./page_estimate.ts";
 import { ownTypography } from "./typography.ts";
 
 const never = new AbortController().signal;
@@ -167,6 +168,52 @@ test("the first number of pages of many kinds of books is near the last", async 
   expect(median, JSON.stringify(off)).toBeLessThan(0.05);
   expect(sorted.at(-1), JSON.stringify(off)).toBeLessThan(0.3);
 }, 60_000);
+
+test("of a book that is alike throughout two pieces are laid out before its first number of pages", async () => {
+  const frames = async (chapters: readonly string[]): Promise<number> => {
+    let made = 0;
+    const watcher = new MutationObserver((changes) => {
+      const added = changes.flatMap(({ addedNodes }) => [...addedNodes]);
+      made += added.filter((node) => node instanceof HTMLIFrameElement).length;
+    });
+    watcher.observe(document, { childList: true, subtree: true });
+    holdCounting();
+    const source = await openSource(tinyEpub({ chapters: [...chapters] }));
+    made = 0;
+    watcher.takeRecords();
+    await (source as FlowSource).estimated;
+    await new Promise<void>((resolve) => queueMicrotask(resolve));
+    source.close();
+    watcher.disconnect();
+    return made;
+  };
+  const alike = Array.from({ length: 17 }, () => prose(16));
+  expect(await frames(alike)).toBe(2);
+  const unlike = alike.map((text, k) => `<div style="font-size: ${1 + (k % 5)}em">${text}</div>`);
+  expect(await frames(unlike)).toBeGreaterThan(2);
+});
+
+test("sections are read together, and those that are not read in the order in which they are spread", async () => {
+  let [reading, most] = [0, 0];
+  const sections = Array.from({ length: 40 }, (_, k) => ({
+    length: 100,
+    isFixed: false,
+    lines: async (): Promise<number> => {
+      most = Math.max(most, ++reading);
+      await new Promise<void>((resolve) => queueMicrotask(resolve));
+      reading -= 1;
+      if (k === 7) throw new Error("It cannot be read.");
+      return k;
+    },
+  })) as unknown as FlowSection[];
+  const lengths = new SectionLengths(sections);
+  await lengths.read(never, 3);
+  const known = (): number[] => sections.flatMap((_, k) => lengths.known(k) ?? []);
+  expect(known()).toEqual(lengths.spread.slice(0, 3).toSorted((a, b) => a - b));
+  await lengths.read(never);
+  expect(known()).toEqual(sections.flatMap((_, k) => (k === 7 ? [] : k)));
+  expect([most > 3, most < 40]).toEqual([true, true]);
+});
 
 test("set in another size a book is estimated by what was set of it before", async () => {
   // Close lines, of which more fit on a page than usual ones, and a first chapter unlike the others.

@@ -17,11 +17,17 @@ const usualBytes = 70;
 /** How full of lines pages are, before any is laid out, likewise: the rest is between paragraphs and chapters. */
 const usualFill = 0.8;
 
+/** The fraction by which an estimate may be off: it is corrected, and made of more text, only beyond that. */
+export const mostOff = 0.05;
+
 /** Sections that are read as a book opens, for a guess at its thickness: at the half and the quarters of the text. */
 export const openingRead = 3;
 
 /** Sections that are read before the first estimate: at the half, the quarters and so on to the 32nds of the text. */
 export const firstRead = 31;
+
+/** Sections that are read at the same time: unpacking one mostly waits. */
+const readTogether = 8;
 
 /** Elements whose text is not seen, pictures, and elements with which a line ends. */
 const unseen = new Set(["head", "script", "style", "annotation", "annotation-xml"]);
@@ -116,11 +122,14 @@ export class SectionLengths {
    * @param most after how many it resolves
    */
   async read(signal: AbortSignal, most: number = Number.POSITIVE_INFINITY): Promise<void> {
-    for (const section of this.spread.slice(this.#read, this.#read + most)) {
-      const found = await this.#sections[section]?.lines().catch(() => undefined);
+    const end = Math.min(this.#read + most, this.spread.length);
+    while (this.#read < end) {
+      const next = this.spread.slice(this.#read, Math.min(this.#read + readTogether, end));
+      const read = next.map((section) => this.#sections[section]?.lines().catch(() => undefined));
+      const found = await Promise.all(read);
       if (signal.aborted) return;
-      this.#lines[section] = found;
-      this.#read += 1;
+      for (const [k, section] of next.entries()) this.#lines[section] = found[k];
+      this.#read += next.length;
     }
   }
 
@@ -169,6 +178,18 @@ function spreadOver(lengths: readonly number[]): number[] {
 export interface LaidSample {
   readonly lines: number;
   readonly extent: number;
+}
+
+/**
+ * Returns whether pieces, two or more, have so nearly as many lines on a page that an estimate by
+ * their mean is off by no more than it may be: by the standard error of that.
+ */
+export function areAlike(samples: readonly LaidSample[]): boolean {
+  const onPage = samples.map(({ lines, extent }) => lines / extent);
+  const count = onPage.length;
+  const mean = onPage.reduce((sum, lines) => sum + lines, 0) / count;
+  const squares = onPage.reduce((sum, lines) => sum + (lines - mean) ** 2, 0);
+  return count > 1 && Math.sqrt(squares / (count - 1) / count) <= mostOff * mean;
 }
 
 /**

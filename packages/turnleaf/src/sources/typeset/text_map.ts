@@ -159,9 +159,9 @@ export class TextMap {
     if (from >= node.length) return null;
     this.#range.setStart(node, from);
     this.#range.setEnd(node, Math.min(to, node.length));
-    const rects = this.#range.getClientRects();
-    for (const rect of rects) if (rect.width > 0 && rect.height > 0) return rect;
-    return null;
+    // The first letter of a line has a place at the end of the line before too, if a hyphen was put there.
+    const rects = [...this.#range.getClientRects()];
+    return rects.findLast(({ width, height }) => width > 0 && height > 0) ?? null;
   }
 
   /** Splits a piece's part on a page where a line ends. */

@@ -82,6 +82,7 @@ const bodyStyle = `body {
   width: auto !important; height: auto !important; max-width: none !important; max-height: none !important;
   min-width: 0 !important; min-height: 0 !important; position: static !important; float: none !important;
   margin: 0 !important; padding: 0 !important; overflow: visible !important; columns: auto !important;
+  transform: none !important; translate: none !important; rotate: none !important; scale: none !important;
 }`;
 
 /** Everything in it. */
@@ -100,7 +101,7 @@ html {
   width: ${across}px !important; height: ${down}px !important;
   min-width: 0 !important; min-height: 0 !important; max-width: none !important; max-height: none !important;
   margin: 0 !important; padding: 0 !important; border: 0 !important; overflow: visible !important;
-  direction: ${direction}; column-width: ${column}px !important; column-count: auto !important; column-gap: ${gap}px !important;
+  direction: ${direction} !important; column-width: ${column}px !important; column-count: auto !important; column-gap: ${gap}px !important;
   column-fill: auto !important; column-rule: none !important; transform: none !important;
 }
 ${bodyStyle}

@@ -10,7 +10,12 @@ export function isRightToLeft(language: string): boolean {
 export interface Writing {
   readonly writingMode: string;
   readonly direction: string;
+  /** Whether some of the text is written otherwise. */
+  readonly isMixed: boolean;
 }
+
+/** Lines that go up a page fill no pages from the first on: they go down. */
+const paged: Readonly<Record<string, string>> = { "sideways-lr": "vertical-lr" };
 
 /**
  * Returns how most of the text in a section is written. Some books say so of their root, others of a box
@@ -20,16 +25,18 @@ export interface Writing {
  */
 export function writingOf(body: Element, view: Window): Writing {
   const own = view.getComputedStyle(body);
-  const ways = new Map<string, { readonly writing: Writing; letters: number }>();
+  const ways = new Map<string, { readonly writing: CSSStyleDeclaration; letters: number }>();
   const walker = body.ownerDocument.createTreeWalker(body, NodeFilter.SHOW_TEXT);
   for (let node = walker.nextNode(); node !== null; node = walker.nextNode()) {
     const letters = node.nodeValue?.trim().length ?? 0;
     if (letters === 0 || node.parentElement === null) continue;
-    const { writingMode, direction } = view.getComputedStyle(node.parentElement);
+    const writing = view.getComputedStyle(node.parentElement);
+    const { writingMode, direction } = writing;
     const way = ways.get(`${writingMode} ${direction}`);
     if (way) way.letters += letters;
-    else ways.set(`${writingMode} ${direction}`, { writing: { writingMode, direction }, letters });
+    else ways.set(`${writingMode} ${direction}`, { writing, letters });
   }
   const [most] = [...ways.values()].sort((a, b) => b.letters - a.letters);
-  return most?.writing ?? { writingMode: own.writingMode, direction: own.direction };
+  const { writingMode, direction } = most?.writing ?? own;
+  return { writingMode: paged[writingMode] ?? writingMode, direction, isMixed: ways.size > 1 };
 }

@@ -1,12 +1,15 @@
 /** The mesh of a creased leaf, and its vertices: each side of a crease has a normal of its own. */
 
-/** How the mesh of a creased leaf lies on its flat paper: points are moved onto its creases. */
-export interface CreasedMesh {
+/**
+ * How the drawn points of a leaf that is creased, crumpled or torn across lie on its flat paper: they
+ * are moved onto its creases, or lie along its tear.
+ */
+export interface PaperMesh {
   /** u and v of each point, 0 to 1. */
   readonly places: Float32Array;
   /** The points of each triangle, three by three; no triangle reaches over a crease. */
   readonly triangles: Uint32Array;
-  /** The part of the leaf between creases that each triangle belongs to. */
+  /** The part of the leaf between creases that each triangle belongs to; of a crumpled one, its facet. */
   readonly parts: Uint16Array;
   /**
    * Of a sheet that is torn across, for each point how far it lies on its own side of the tear,
@@ -36,7 +39,7 @@ export interface SplitMesh {
 export const vertexKey = (point: number, part: number): number => point * 0x10000 + part;
 
 /** Splits the points on creases, so that no vertex belongs to two parts of the leaf. */
-export function splitMesh({ places, triangles, parts }: CreasedMesh): SplitMesh {
+export function splitMesh({ places, triangles, parts }: PaperMesh): SplitMesh {
   const points = Array.from({ length: places.length / 2 }, (_, point) => point);
   const vertices = new Map<number, number>();
   const taken = new Uint8Array(points.length);

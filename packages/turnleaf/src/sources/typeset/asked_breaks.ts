@@ -1,0 +1,45 @@
+/** Pages that a book begins where no browser breaks a column: at the break of a line, at a picture in one, and in boxes that do not break. */
+
+import { isUnbroken, opened, setStyles } from "./box_styles.ts";
+
+/** What stands in a line and is no text: a page is begun at it as at a box. */
+const inLine = /^(img|svg|video|object)$/;
+
+/**
+ * Has all page breaks that a section asks for begin a page.
+ *
+ * @param body the section's body, laid out in columns
+ * @param writingMode of the section
+ */
+export function honourBreaks(body: Element, writingMode: string): void {
+  const view = body.ownerDocument.defaultView as Window;
+  for (const element of body.querySelectorAll<HTMLElement>("*")) {
+    const parent = element.parentElement;
+    const { breakBefore, breakAfter, display } = view.getComputedStyle(element);
+    if (breakBefore !== "column" && breakAfter !== "column") continue;
+    if (element.localName === "br") {
+      element.replaceWith(blockFor(element, { breakBefore, breakAfter }));
+    } else if (display.startsWith("inline") && inLine.test(element.localName)) {
+      setStyles(element, { display: "block" });
+    } else if (display === "inline") continue;
+    for (let box = parent; box && box !== body; box = box.parentElement) {
+      const style = view.getComputedStyle(box);
+      if (isUnbroken(style)) setStyles(box, opened(style, writingMode));
+    }
+  }
+}
+
+/** Returns a box that breaks pages as the break of a line asks for, which itself is no box. */
+function blockFor(
+  br: Element,
+  { breakBefore, breakAfter }: { readonly breakBefore: string; readonly breakAfter: string },
+): HTMLElement {
+  const block = br.ownerDocument.createElement("span");
+  if (br.id !== "") block.id = br.id;
+  setStyles(block, {
+    display: "block",
+    "break-before": breakBefore,
+    "break-after": breakAfter,
+  });
+  return block;
+}

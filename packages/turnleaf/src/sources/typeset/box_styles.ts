@@ -1,0 +1,65 @@
+/** Styles that boxes of a section are given so that they fit their pages. */
+
+import type { PageSize } from "../page_source.ts";
+import { type PageFlow, pageOfRect } from "./text_map.ts";
+
+/** Values of CSS by their properties. */
+export type Styles = Readonly<Record<string, string>>;
+
+/** What is not quite a pixel too large is as large as it should be: the browser rounds lengths. */
+export const tolerance = 1;
+
+/** Gives an element styles that are above those of the book. */
+export function setStyles(element: HTMLElement | SVGElement, styles: Styles): void {
+  for (const [name, value] of Object.entries(styles)) {
+    element.style.setProperty(name, value, "important");
+  }
+}
+
+/** Displays that do not break from page to page, and those like them that do. */
+const breaking: Styles = {
+  "inline-block": "block",
+  "inline-flex": "flex",
+  "inline-grid": "grid",
+  "inline-table": "table",
+};
+
+/** The inner table's parts, whose widths the table decides. */
+export const tableParts: RegExp = /^table-/;
+
+/** Returns the styles by which a box grows with what is in it and breaks where a page ends. */
+export function opened(style: CSSStyleDeclaration, writingMode: string): Styles {
+  const change: Record<string, string> = {};
+  if (tableParts.test(style.display)) return change;
+  if (style.overflow !== "visible") change.overflow = "visible";
+  const display = breaking[style.display];
+  if (display) change.display = display;
+  // A browser does not say whether a height is its own; it is none, if nothing asks for one.
+  change["block-size"] = "auto";
+  change["max-block-size"] = "none";
+  if (style.position === "absolute") change.position = "static";
+  if (style.writingMode !== writingMode) change["writing-mode"] = writingMode;
+  if (style.getPropertyValue("-webkit-line-clamp") !== "none") {
+    change["-webkit-line-clamp"] = "none";
+  }
+  return change;
+}
+
+/** Returns whether a box does not break from page to page. */
+export function isUnbroken({ overflow, display, position }: CSSStyleDeclaration): boolean {
+  return overflow !== "visible" || display in breaking || position === "absolute";
+}
+
+/** Returns the place of a page (from 0) in its section's frame. */
+export function pageBox({ stepX, stepY }: PageFlow, page: number, size: PageSize): DOMRect {
+  return new DOMRect(page * stepX, page * stepY, size.width, size.height);
+}
+
+/** Returns the pages (from 0) on which rectangles lie: the first and the last. */
+export function pagesOf(
+  flow: PageFlow,
+  rects: readonly DOMRect[],
+): { readonly first: number; readonly last: number } {
+  const pages = rects.map((rect) => pageOfRect(flow, rect));
+  return { first: Math.min(...pages), last: Math.max(...pages) };
+}

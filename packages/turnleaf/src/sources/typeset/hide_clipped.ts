@@ -1,0 +1,34 @@
+/** Boxes that a book cuts to nothing, as it does with words for screen readers alone: none of their text is on paper. */
+
+import { setStyles } from "./box_styles.ts";
+
+/** A box of at most so many CSS pixels shows nothing of what is cut at its edges. */
+const nothing = 1;
+
+/** Cuts that leave nothing of a box. */
+const emptyClip = /^inset\((?:50|100)%(?: (?:50|100)%)*\)$/;
+
+/** Hides the boxes in a section's body, laid out, of which nothing is seen as their edges cut it. */
+export function hideClipped(body: Element): void {
+  const view = body.ownerDocument.defaultView as Window & typeof globalThis;
+  const hidden: HTMLElement[] = [];
+  for (const element of body.querySelectorAll("*")) {
+    if (!(element instanceof view.HTMLElement)) continue;
+    const style = view.getComputedStyle(element);
+    const { overflowX, overflowY, clip, clipPath, display } = style;
+    const isShort =
+      (overflowX !== "visible" && element.offsetWidth <= nothing) ||
+      (overflowY !== "visible" && element.offsetHeight <= nothing);
+    const isCut = (isShort && display !== "inline") || isEmpty(clip) || emptyClip.test(clipPath);
+    if (isCut) hidden.push(element);
+  }
+  for (const element of hidden) setStyles(element, { visibility: "hidden" });
+}
+
+/** Returns whether the rectangle that a box is cut to has no area. */
+function isEmpty(clip: string): boolean {
+  if (!clip.startsWith("rect(") || clip.includes("auto")) return false;
+  const sides = clip.slice("rect(".length).split(",");
+  const [top = 0, right = 0, bottom = 0, left = 0] = sides.map((side) => Number.parseFloat(side));
+  return right <= left || bottom <= top;
+}

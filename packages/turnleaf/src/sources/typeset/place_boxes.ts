@@ -1,0 +1,151 @@
+/**
+ * Boxes that a book puts beyond their page. A browser scrolls to them; on paper they would lie on another
+ * page, upon its text, or on none. They are put back to where they would be otherwise. What no browser
+ * scrolls to, as it lies before the beginning, is hidden so by books and stays hidden.
+ */
+
+import type { PageSize } from "../page_source.ts";
+import { pageBox, pagesOf, type Styles, setStyles, tolerance } from "./box_styles.ts";
+import { drawingOf, isMoved, type LayoutFrame, moving, unmoved } from "./frame.ts";
+import { type PageFlow, pageOfRect } from "./text_map.ts";
+
+/** Rounds of measuring and changing: what is put back takes with it what is in it. */
+const rounds = 8;
+
+/** What does not get narrower. */
+const replaced = "img, svg, video, canvas, object";
+
+type Placed = HTMLElement | SVGElement;
+
+/**
+ * Puts back what lies beyond its page.
+ *
+ * @param body the section's body, laid out
+ * @param size of a page, CSS pixels; of no end in height if pages hang together
+ * @returns whether anything was put back
+ */
+export function placeBoxes(
+  frame: LayoutFrame,
+  body: Element,
+  flow: PageFlow,
+  size: PageSize,
+): boolean {
+  const view = body.ownerDocument.defaultView as Window & typeof globalThis;
+  const elements = [...body.querySelectorAll<Placed>("*")].filter(
+    (element) => drawingOf(element, body) === element,
+  );
+  const known = new Set<Placed>();
+  for (let round = 0; round < rounds; round++) {
+    const changes: [Placed, Styles][] = [];
+    const moved = elements.filter(
+      (element) => !known.has(element) && element.getClientRects().length > 0 && isMoved(element),
+    );
+    const places = unmoved(frame, () => moved.map((element) => element.getBoundingClientRect()));
+    moved.forEach((element, k) => {
+      const page = pageOfRect(flow, places[k] as DOMRect);
+      const rect = element.getBoundingClientRect();
+      const still = Object.fromEntries(moving.map((name) => [name, "none"]));
+      const change = putBack(rect, pageBox(flow, page, size), still);
+      if (change) changes.push([element, change]);
+    });
+    for (const element of elements) {
+      if (known.has(element) || moved.includes(element)) continue;
+      const change = changeOf(element, view.getComputedStyle(element), flow, size);
+      if (change) changes.push([element, change]);
+    }
+    if (changes.length === 0) return round > 0;
+    for (const [element, change] of changes) {
+      known.add(element);
+      setStyles(element, change);
+    }
+  }
+  return true;
+}
+
+/** Returns the styles by which a rectangle that is beyond its page is there again, or hidden; null if it is not beyond. */
+function putBack(rect: DOMRect, page: DOMRect, back: Styles): Styles | null {
+  if (rect.right < page.left || rect.bottom < page.top) return { visibility: "hidden" };
+  const isWithin =
+    rect.left > page.left - tolerance &&
+    rect.right < page.right + tolerance &&
+    rect.top > page.top - tolerance &&
+    rect.bottom < page.bottom + tolerance;
+  return isWithin ? null : back;
+}
+
+/** Returns the styles by which a box that is not moved after it is laid out is on its page; null if it is. */
+function changeOf(
+  element: Placed,
+  style: CSSStyleDeclaration,
+  flow: PageFlow,
+  size: PageSize,
+): Styles | null {
+  const { position } = style;
+  const px = (name: string): number => Number.parseFloat(style.getPropertyValue(name)) || 0;
+  const shift =
+    position === "relative"
+      ? { x: px("left") || -px("right"), y: px("top") || -px("bottom") }
+      : { x: px("margin-left"), y: Math.min(px("margin-top"), 0) };
+  const squeezed = position === "absolute" ? null : squeezedChange(element, style);
+  if (squeezed) return squeezed;
+  const indent = px("text-indent");
+  const isAway = position === "absolute";
+  if (!isAway && shift.x === 0 && shift.y === 0 && indent === 0) return null;
+  const rects = [...element.getClientRects()];
+  const [first] = rects;
+  if (!first) return null;
+  if (isAway) return awayChange(element as HTMLElement, rects, flow, size);
+  if (shift.x !== 0 || shift.y !== 0) {
+    const { x, y, width, height } = first;
+    const own = pageOfRect(flow, new DOMRect(x - shift.x, y - shift.y, width, height));
+    const page = pageBox(flow, own, size);
+    if (position === "relative") return putBack(first, page, { inset: "auto" });
+    // What is wider than its page is made narrower, and what is higher breaks.
+    const least = element.matches(replaced) ? width : Math.min(width, page.right - x);
+    const start = new DOMRect(x, y, least, 0);
+    const back = { ...(shift.x && { "margin-left": "0" }), ...(shift.y && { "margin-top": "0" }) };
+    if (start.top < page.top - tolerance) return back;
+    return start.width < 0 ? null : putBack(start, page, back);
+  }
+  const page = pageBox(flow, pageOfRect(flow, first), size);
+  // Text is hidden so where a picture stands for it.
+  if (first.right + indent < page.left) return { "text-indent": "0", "font-size": "0" };
+  const isOut = first.left + indent < page.left || indent > first.width;
+  return isOut ? { "text-indent": "0" } : null;
+}
+
+/** Returns the styles by which a box whose indents leave no room for two letters has none; null for others. */
+function squeezedChange(element: Placed, style: CSSStyleDeclaration): Styles | null {
+  if (!/^(block|list-item|flow-root)$/.test(style.display) || !element.textContent?.trim()) {
+    return null;
+  }
+  const px = (name: string): number => Number.parseFloat(style.getPropertyValue(name)) || 0;
+  const within = px("padding-inline-start") + px("padding-inline-end");
+  const indents = within + px("margin-inline-start") + px("margin-inline-end");
+  // It is the length of its lines, if nothing asks for another box.
+  const room = px("inline-size") - (style.boxSizing === "border-box" ? within : 0);
+  const isSqueezed = room < 2 * px("font-size") && indents > room;
+  return isSqueezed ? { "margin-inline": "0", "padding-inline": "0" } : null;
+}
+
+/** Returns what `changeOf` does, of a box that is put elsewhere than where the text has it. */
+function awayChange(
+  element: HTMLElement,
+  rects: readonly DOMRect[],
+  flow: PageFlow,
+  size: PageSize,
+): Styles | null {
+  const around = [element.parentElement, element.offsetParent].flatMap((one) => [
+    ...(one?.getClientRects() ?? []),
+  ]);
+  const { first, last } = pagesOf(flow, around);
+  const back = { position: "static", margin: "0" };
+  for (const rect of rects) {
+    if (rect.width === 0 && rect.height === 0) continue;
+    const page = pageOfRect(flow, rect);
+    const own = Math.min(Math.max(page, Math.max(first, 0)), Math.max(last, 0));
+    const change = putBack(rect, pageBox(flow, own, size), back);
+    if (change) return change;
+  }
+  return null;
+}

@@ -1,0 +1,83 @@
+/** Heights that a book sets for a screen: where nothing is in them, they would leave pages empty. */
+
+import type { PageSize } from "../page_source.ts";
+import { pagesOf, setStyles, tolerance } from "./box_styles.ts";
+import { drawingOf } from "./frame.ts";
+import { type PageFlow, pageOfRect } from "./text_map.ts";
+
+/** What has a height without anything in it. */
+const replaced = "img, svg, video, canvas, object";
+
+/**
+ * Makes pictures, and boxes that end on a later page than what is in them, as high as there is room for.
+ *
+ * @param body of a section that is set in columns, laid out
+ * @param area the type area, CSS pixels
+ */
+export function trimHeights(body: Element, flow: PageFlow, area: PageSize): void {
+  const page = flow.isVertical ? area.width : area.height;
+  for (const picture of body.querySelectorAll<HTMLElement | SVGElement>(replaced)) {
+    if (drawingOf(picture, body) !== picture) continue;
+    const { width, height } = picture.getBoundingClientRect();
+    const room = page - leadOf(picture, body);
+    // The line that it stands in is no higher than it.
+    const styles = { "max-block-size": `${room}px`, "vertical-align": "top" };
+    if ((flow.isVertical ? width : height) > room) setStyles(picture, styles);
+  }
+  /** What is around boxes that are changed: it is higher by them alone. */
+  const around = new Set<Element>();
+  for (const element of [...body.querySelectorAll<HTMLElement>("*")].reverse()) {
+    if (around.has(element)) continue;
+    const rects = [...element.getClientRects()];
+    if (rects.length < 2 || element.matches(replaced)) continue;
+    const content = contentOf(element);
+    const { first, last } = pagesOf(flow, rects);
+    const ends = content.map((rect) => pageOfRect(flow, rect));
+    if (Math.max(first, ...ends) >= last) continue;
+    for (let box = element.parentElement; box && !around.has(box); box = box.parentElement) {
+      around.add(box);
+    }
+    const isOnOne = content.length > 0 && ends.every((end) => end === ends[0]);
+    setStyles(element, {
+      "block-size": "auto",
+      "min-block-size": isOnOne ? `${page - tolerance}px` : "0",
+      "box-sizing": "border-box",
+      ...(isOnOne ? { "break-inside": "avoid" } : {}),
+      // Room alone ends its page.
+      ...(content.length === 0 ? { "break-after": "column" } : {}),
+    });
+  }
+}
+
+/** Returns the places of what is in a box. */
+function contentOf(element: Element): DOMRect[] {
+  const range = element.ownerDocument.createRange();
+  range.selectNodeContents(element);
+  return [...range.getClientRects()].filter(({ width, height }) => width > 0 && height > 0);
+}
+
+/** Returns how far below the edge of what it is first in an element begins, at most, CSS pixels. */
+function leadOf(element: Element, body: Element): number {
+  const view = body.ownerDocument.defaultView as Window;
+  let [lead, margin] = [0, 0];
+  for (let box = element; isFirst(box); box = box.parentElement as Element) {
+    const parent = box.parentElement;
+    if (parent === null || parent === body) break;
+    const style = view.getComputedStyle(parent);
+    const px = (name: string): number => Number.parseFloat(style.getPropertyValue(name)) || 0;
+    const inner = px("padding-block-start") + px("border-block-start-width");
+    // Margins that meet are one.
+    if (inner > 0) [lead, margin] = [lead + margin + inner, 0];
+    margin = Math.max(margin, px("margin-block-start"));
+  }
+  return lead + margin;
+}
+
+/** Returns whether nothing is before an element in what it is in. */
+function isFirst(element: Element): boolean {
+  let node = element.previousSibling;
+  while (node && !node.nodeValue?.trim() && !(node as Partial<Element>).getClientRects) {
+    node = node.previousSibling;
+  }
+  return node === null;
+}
