@@ -101,7 +101,7 @@ function build<Hit extends FoundPlace>(
     if (tab === null) return;
     const hadFocus = hasFocus(panel.element);
     panel.close();
-    // Back to where the reader was: whoever goes by keys at the button, others in the book.
+    // Back to where the reader was: a reader who goes by keys at the button, others in the book.
     const opener = isOpenedByKey ? bar.buttonOf(tab) : undefined;
     // A frame around the book would stand there while it is read on.
     const how = { preventScroll: true, focusVisible: isOpenedByKey };
