@@ -50,8 +50,8 @@ const apart = [
   part(
     "reads other formats",
     // Alignment, division of words, running heads and folios; tables that are turned and split, switches; XZ.
-    // Packages, contents and chapters however they are written.
-    248,
+    // Packages, contents and chapters however they are written. What lies beyond its page, formulas, heights.
+    252.5,
     "budget clean_markup comic data_url epub fb2 font_type html_pages iiif_source kindle legacy_names media_overlays names package_document packed_file parse_markup svg text_book unpacked_archive unpacker unpacker_worker.ts writing_direction decode_text zip",
   ),
   part("decodes TIFF and JPEG 2000", 60, "rare_images rare_size tiff_pages decoder_worker.ts"),

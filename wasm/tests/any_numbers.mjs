@@ -7,6 +7,7 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
+import { drawnOf } from "./drawn.mjs";
 
 const root = join(import.meta.dirname, "../../packages/turnleaf/src");
 const [, , what, seed] = process.argv;
@@ -94,10 +95,8 @@ async function books() {
   callAny(engine, handles, names, (name, [a]) => name === "tl_book_step" && steps(a));
   for (const book of handles) {
     engine.tl_book_update(book);
-    const count = 3 * engine.tl_book_columns(book) * engine.tl_book_rows(book);
     for (let index = 0; index < engine.tl_book_flights(book); index++) {
-      for (const of of [engine.tl_book_positions, engine.tl_book_normals]) {
-        const drawn = new Float32Array(engine.memory.buffer, of(book, index), count);
+      for (const drawn of drawnOf(engine, book, index)) {
         assert.ok(drawn.every(Number.isFinite), `flight ${index}`);
       }
     }
@@ -145,9 +144,7 @@ function heldFor(engine, ticks) {
   engine.tl_book_hold(book, id, 0, 0.05, 0.03, 0.1);
   engine.tl_book_step(book, ticks);
   engine.tl_book_update(book);
-  const count = 3 * engine.tl_book_columns(book) * engine.tl_book_rows(book);
-  const at = engine.tl_book_positions(book, 0);
-  const drawn = [...new Float32Array(engine.memory.buffer, at, count)];
+  const drawn = [...drawnOf(engine, book, 0)[0]];
   engine.tl_board_hold(book, 0, 1);
   engine.tl_board_step(book, 0, ticks);
   drawn.push(engine.tl_board_angle(book, 0));

@@ -5,6 +5,7 @@
  */
 
 import { importTs } from "../../scripts/import_ts.mjs";
+import { drawnOf } from "./drawn.mjs";
 
 const { presetStocks } = await importTs("stocks.ts");
 
@@ -78,10 +79,8 @@ export class Riffle {
   *drawn() {
     const [engine, book] = [this.#engine, this.#book];
     for (let index = 0; index < engine.tl_book_flights(book); index++) {
-      const record = new Uint32Array(engine.memory.buffer, engine.tl_book_surface(book, index), 4);
-      const [columns, rows, ...addresses] = record;
-      for (const at of addresses) {
-        yield new Uint8Array(engine.memory.buffer, at, 3 * 4 * columns * rows);
+      for (const { buffer, byteOffset, byteLength } of drawnOf(engine, book, index)) {
+        yield new Uint8Array(buffer, byteOffset, byteLength);
       }
     }
   }

@@ -272,3 +272,18 @@ impl Display for Report {
         Ok(())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A page of bible paper, folded in two and turned by command, whose flap's end curls under it in
+    /// the gutter.
+    #[test]
+    fn a_half_whose_end_curls_is_not_drawn_through_itself() {
+        let report = Report::of(14..15, &[], 1).expect("it is played");
+        let (_, name, [in_flight, at_rest]) = &report.worst[0];
+        assert_eq!(name, "half, turned, bible, 140 x 210 mm");
+        assert!(*in_flight < 0.5 && *at_rest < 0.1, "{in_flight} {at_rest}");
+    }
+}

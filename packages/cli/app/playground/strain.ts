@@ -1,7 +1,7 @@
 /** The strain of a leaf's cells, as colours on its paper. */
 
 import { DataTexture, LinearFilter, SRGBColorSpace } from "three";
-import type { PaperMesh, LeafSurface } from "turnleaf/models";
+import type { LeafSurface, PaperMesh } from "turnleaf/models";
 import { leafSize } from "./variants.ts";
 
 /** What is read of a drawn leaf. */

@@ -1,7 +1,7 @@
 /** A turn simulated from its beginning to its rest, and reduced to key frames. */
 
 import { writeNormals } from "turnleaf/keyframes";
-import { type PaperMesh, type LeafCrease, LooseLeaf, leafStocks } from "turnleaf/models";
+import { type LeafCrease, LooseLeaf, leafStocks, type PaperMesh } from "turnleaf/models";
 import { Problem } from "../problem.ts";
 import type { BakeCommand } from "./bake_arguments.ts";
 

@@ -123,7 +123,7 @@ test("Escape leads back to the book, whose keys turn, where the panel was opened
   await userEvent.click(named(root, "Search"));
   await eventually(() => active(root)).toBe("Find in this book");
   await userEvent.keyboard("{Escape}");
-  expect(active(root)).toBe("book");
+  expect([active(root), frameOf(root)?.matches(":focus-visible")]).toEqual(["book", false]);
   await userEvent.keyboard(" /{Escape} ");
   const turns = () => book.asked.filter((asked) => asked === "next").length;
   expect(turns()).toBe(2);

@@ -103,7 +103,9 @@ function build<Hit extends FoundPlace>(
     panel.close();
     // Back to where the reader was: whoever goes by keys at the button, others in the book.
     const opener = isOpenedByKey ? bar.buttonOf(tab) : undefined;
-    if (hadFocus) (opener ?? book).focus({ preventScroll: true });
+    // A frame around the book would stand there while it is read on.
+    const how = { preventScroll: true, focusVisible: isOpenedByKey };
+    if (hadFocus) (opener ?? book).focus(how);
   };
   const picked = (): void => {
     if (!isNarrow()) return;

@@ -3,7 +3,7 @@
  * no attack: for tests that all of them are opened or rejected.
  */
 
-import { strToU8, zipSync } from "fflate";
+import { deflateSync, strToU8, zipSync } from "fflate";
 import { prose, tinyEpub } from "../sources/epub/tiny_epub.ts";
 
 const svgNamespace = 'xmlns="http://www.w3.org/2000/svg"';
@@ -188,6 +188,8 @@ export interface HostileBook {
   readonly make: () => File;
   /** Whether it has to be rejected; it has to be opened otherwise. */
   readonly isRefused: boolean;
+  /** What is said of its first page, if that cannot be drawn though the book is opened. */
+  readonly firstPage?: RegExp;
 }
 
 const file = (parts: readonly (string | Uint8Array<ArrayBuffer>)[], name: string): File =>
@@ -197,6 +199,51 @@ const file = (parts: readonly (string | Uint8Array<ArrayBuffer>)[], name: string
 function comic(files: Readonly<Record<string, string>>): Uint8Array<ArrayBuffer> {
   const bytes = Object.entries(files).map(([name, text]) => [name, strToU8(text)] as const);
   return zipSync(Object.fromEntries(bytes)) as Uint8Array<ArrayBuffer>;
+}
+
+/** Returns bytes that begin as a JPEG, and go on as nothing. */
+function jpegOf(length: number): Uint8Array {
+  const bytes = new Uint8Array(length);
+  bytes.set([0xff, 0xd8, 0xff, 0xe0]);
+  return bytes;
+}
+
+/** Returns a ZIP in which many entries of the directory are one file. */
+function sameFile(data: Uint8Array, count: number, ending: string): Uint8Array<ArrayBuffer> {
+  const packed = deflateSync(data, { level: 9 });
+  const record = (mark: number, length: number, at: number, name: string): Uint8Array => {
+    const bytes = new Uint8Array(length + name.length);
+    const view = new DataView(bytes.buffer);
+    view.setUint32(0, mark, true);
+    view.setUint16(at, 8, true);
+    view.setUint32(at + 10, packed.length, true);
+    view.setUint32(at + 14, data.length, true);
+    view.setUint16(at + 18, name.length, true);
+    bytes.set(strToU8(name), length);
+    return bytes;
+  };
+  const start = record(0x04034b50, 30, 8, "a");
+  const entries = Array.from({ length: count }, (_, k) =>
+    record(0x02014b50, 46, 10, `${k}.${ending}`),
+  );
+  const end = new DataView(new ArrayBuffer(22));
+  end.setUint32(0, 0x06054b50, true);
+  end.setUint16(8, count, true);
+  end.setUint16(10, count, true);
+  end.setUint32(
+    12,
+    entries.reduce((sum, { length }) => sum + length, 0),
+    true,
+  );
+  end.setUint32(16, start.length + packed.length, true);
+  const parts = [start, packed, ...entries, new Uint8Array(end.buffer)];
+  const all = new Uint8Array(parts.reduce((sum, { length }) => sum + length, 0));
+  let at = 0;
+  for (const part of parts) {
+    all.set(part, at);
+    at += part.length;
+  }
+  return all;
 }
 
 /** Returns all books. */
@@ -259,6 +306,27 @@ export function hostileBooks(): readonly HostileBook[] {
       make: () =>
         file([tinyEpub({ chapters: [`<p>${"<i>a</i> ".repeat(50_000)}</p>`] })], "a.epub"),
       isRefused: false,
+    },
+    {
+      name: "an EPUB: line breaks",
+      make: () => file([tinyEpub({ chapters: [`<p>${"a<br/>".repeat(60_000)}</p>`] })], "a.epub"),
+      isRefused: false,
+    },
+    ...["", 'b="&gt;"', 'b=">"'].map(
+      (first): HostileBook => ({
+        name: `an EPUB: attributes of one element ${first}`,
+        make: () => {
+          const attributes = times(300_000, (k) => `a${k}="1" `);
+          return file([tinyEpub({ chapters: [`<p ${first} ${attributes}>Here.</p>`] })], "a.epub");
+        },
+        isRefused: false,
+      }),
+    ),
+    {
+      name: "a comic: one image of 90 MB, 20,000 times",
+      make: () => file([sameFile(jpegOf(90_000_000), 20_000, "jpg")], "a.cbz"),
+      isRefused: false,
+      firstPage: /^Page 1 of a\.cbz \(0\.jpg\) is damaged or no image; /,
     },
     {
       name: "an EPUB: a chapter of four megabytes",

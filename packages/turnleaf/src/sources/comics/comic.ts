@@ -3,7 +3,14 @@
 import type { Archive } from "../archive/archive.ts";
 import { cleanText } from "../book_text.ts";
 import { decodeText } from "../decode_text.ts";
-import { archiveOfName, formatOfName, imageType, rareImageType, sniffLength } from "../formats.ts";
+import {
+  archiveOfName,
+  formatOfName,
+  imageType,
+  rareImageType,
+  sniffLength,
+  unshownFormat,
+} from "../formats.ts";
 import { claimedSize, sizeFromHeader, typedImage } from "../image_header.ts";
 import { ImageSource } from "../images.ts";
 import { limits } from "../limits.ts";
@@ -38,9 +45,19 @@ const isArchiveName = (name: string): boolean =>
 const coverName =
   /^((front[ _.-]?)?cover([ _.-]?(front|0{0,3}1?))?|表紙|封面|표지|обложка|couverture|portada|copertina|capa|omslag|okładka|titelbild|umschlag)$/i;
 
-/** Bytes of an image in which its size is searched for, and images that are searched at a time. */
+/**
+ * Bytes of an image in which its size is searched for, and then, if its camera wrote much before that; and
+ * images that are searched at a time.
+ */
 const headerLength = 1 << 16;
-const atOnce = 8;
+const farHeaderLength = 1 << 20;
+const atOnce = 4;
+
+/**
+ * Bytes that files claim which are unpacked to see what they are and how large: those of the largest comic.
+ * Of a few bytes there may be any number.
+ */
+const mostUnpacked = limits.archiveBytes;
 
 /** Bytes of a ComicInfo.xml: some 100 for each page. */
 const infoBytes = 4_000_000;
@@ -61,7 +78,9 @@ const [leastDouble, mostDouble] = [1.6, 2.5];
 export async function openComic(archive: Archive, file: Blob, name: string): Promise<PageSource> {
   try {
     const warnings = new WarningList();
-    const files = await pagesIn(archive, (path) => warnings.add(warningOf("page", path, name)));
+    const budget = { bytes: mostUnpacked };
+    const leftOut = (path: string): void => warnings.add(warningOf("page", path, name));
+    const files = await pagesIn(archive, budget, leftOut);
     if (files.length === 0) {
       const reason =
         archive.names.length === 0 ? "it is empty" : "no file in it is a book or an image";
@@ -75,7 +94,7 @@ export async function openComic(archive: Archive, file: Blob, name: string): Pro
       warnings.add(warningOf("contents", path, name));
     });
     await checkReadable(archive, files);
-    const scans = coverFirst(await measureAll(archive, files, info, name));
+    const scans = coverFirst(await measureAll(archive, files, info, budget, name));
     const { format, images } = await layOutStrips(scans.map(stripImageOf));
     const pages: Page[] = [];
     for (const [k, scan] of scans.entries()) {
@@ -146,13 +165,18 @@ async function checkReadable(archive: Archive, files: readonly string[]): Promis
  *
  * @param leftOut called with each other file that is none of those beside images
  */
-async function pagesIn(archive: Archive, leftOut: (path: string) => void): Promise<string[]> {
+async function pagesIn(
+  archive: Archive,
+  budget: Budget,
+  leftOut: (path: string) => void,
+): Promise<string[]> {
   const names = archive.names.filter((name) => !name.split("/").some((step) => junk.test(step)));
   const images = names.filter((name) => isImageName(name));
   // Where names say nothing, the bytes do.
   const unnamed = names.filter((name) => !isImageName(name) && !otherName.test(name));
   for (const name of unnamed.slice(0, limits.pages)) {
-    const start = await archive.readStart(name, sniffLength).catch(() => null);
+    const isRead = hasLeft(budget, archive.size(name));
+    const start = isRead ? await archive.readStart(name, sniffLength).catch(() => null) : null;
     if (start !== null && (imageType(start) ?? rareImageType(start))) images.push(name);
     else if (/\.[^./]+$/.test(name)) leftOut(name);
   }
@@ -218,10 +242,22 @@ interface Scan {
   readonly isCover: boolean;
 }
 
+/** Bytes that may still be unpacked before the book is open. */
+interface Budget {
+  bytes: number;
+}
+
+/** Takes bytes from a budget, and returns whether it had as many. */
+function hasLeft(budget: Budget, bytes: number): boolean {
+  budget.bytes -= bytes;
+  return budget.bytes >= 0;
+}
+
 async function measureAll(
   archive: Archive,
   files: readonly string[],
   info: ComicInfo,
+  budget: Budget,
   name: string,
 ): Promise<Scan[]> {
   const found: (readonly Scan[])[] = [];
@@ -237,7 +273,7 @@ async function measureAll(
         bookmark: page?.bookmark ?? "",
         isFront: page?.isCover ?? false,
       };
-      const scans = await measureFile(archive, path, about);
+      const scans = await measureFile(archive, path, about, budget);
       found[index] = scans;
       count += scans.length;
       checkCount(count, name);
@@ -256,13 +292,15 @@ async function measureFile(
   archive: Archive,
   path: string,
   about: Pick<Scan, "double" | "bookmark" | "isFront">,
+  budget: Budget,
 ): Promise<Scan[]> {
   const whole = async (): Promise<Blob> => new Blob([await archive.read(path, limits.imageBytes)]);
-  const start = await startOf(archive, path);
-  const isDamaged = start === null || start.type === "";
+  const isRead = hasLeft(budget, archive.size(path));
+  const start = isRead ? await startOf(archive, path) : null;
+  const isDamaged = isRead && (start === null || start.type === "");
   const name = cleanText(path, 80);
   const first = { path, isDamaged, isCover: false, ...about };
-  if (start?.type === "image/tiff") {
+  if (start?.type === "image/tiff" && hasLeft(budget, archive.size(path))) {
     const { pagesOfTiff } = await loadPart(import("../rare_images/tiff_pages.ts"));
     const pages = await whole().then(pagesOfTiff, () => []);
     if (pages.length > 1) {
@@ -275,7 +313,7 @@ async function measureFile(
       });
     }
   }
-  const size = start && !isDamaged ? await sizeOf(start, archive, path) : null;
+  const size = start && !isDamaged ? await sizeOf(start, archive, path, budget) : null;
   return [{ ...first, image: { name, read: whole }, size }];
 }
 
@@ -289,11 +327,21 @@ async function startOf(archive: Archive, path: string): Promise<Blob | null> {
 }
 
 /** Returns an image's size by its header; null if that does not say, or is damaged. */
-async function sizeOf(start: Blob, archive: Archive, path: string): Promise<PageSize | null> {
+async function sizeOf(
+  start: Blob,
+  archive: Archive,
+  path: string,
+  budget: Budget,
+): Promise<PageSize | null> {
   try {
-    const size =
-      (await claimedBy(start)) ??
-      (await claimedBy(await typedImage(new Blob([await archive.read(path, limits.imageBytes)]))));
+    let size = await claimedBy(start);
+    if (size === null && hasLeft(budget, archive.size(path))) {
+      const isRare = unshownFormat(start.type) !== undefined;
+      const more = isRare
+        ? archive.read(path, limits.imageBytes)
+        : archive.readStart(path, farHeaderLength);
+      size = await claimedBy(await typedImage(new Blob([await more])));
+    }
     return size && size.width > 0 && size.height > 0 ? size : null;
   } catch {
     return null;

@@ -1,5 +1,6 @@
 import { trustedMarkup } from "../trusted_script.ts";
 import { styleAttribute } from "../typeset/flow_book.ts";
+import { withBoundedTags } from "./bounded_tags.ts";
 
 /** Kinds of markup that the browser parses. */
 export type MarkupType =
@@ -16,7 +17,7 @@ const ownStyle = /(<[a-z][^<>]*?\s)style(?=\s*=)/gi;
  * member of it. The elements' own styles are in `styleAttribute`.
  */
 export function parseMarkup(text: string, type: MarkupType): Document {
-  const markup = text.replace(ownStyle, `$1${styleAttribute}`);
+  const markup = withBoundedTags(text).replace(ownStyle, `$1${styleAttribute}`);
   const document = new DOMParser().parseFromString(trustedMarkup(markup), type);
   removeClobberingNames(document);
   return document;

@@ -1,6 +1,7 @@
 /** Markup of books as a document, whether it is well-formed or not. */
 
 import { loadPart } from "../load_part.ts";
+import { withBoundedTags } from "./bounded_tags.ts";
 import { errorIn, type MarkupType, parseMarkup } from "./parse_markup.ts";
 
 const xhtml = "http://www.w3.org/1999/xhtml";
@@ -30,7 +31,7 @@ export async function readMarkup(
   source: string,
   type: Exclude<MarkupType, "text/html">,
 ): Promise<ReadMarkup> {
-  const text = source.replace(windowsLetters, letterOf);
+  const text = withBoundedTags(source.replace(windowsLetters, letterOf));
   const document = parseMarkup(text, type);
   const error = errorIn(document);
   const isHtml = type === "application/xhtml+xml";

@@ -9,6 +9,12 @@ const longestPiece = 200_000;
 /** Characters that an element counts, by the time that it takes to lay it out. */
 const elementLength = 50;
 
+/**
+ * Lines that end by themselves in one paragraph of a piece: set in columns, a paragraph takes a time that
+ * grows with their square, a twentieth of a second for as many.
+ */
+const mostLines = 1000;
+
 /** Elements that are not divided, however much is in them. */
 const whole = /^(svg|math|ruby|tr|select|object|figure|img)$/;
 
@@ -45,7 +51,14 @@ export function divide(root: Element): readonly Element[] {
 function lengthOf(node: Node, lengths: Map<Node, number>): number {
   if (node.nodeType === Node.TEXT_NODE) return node.nodeValue?.length ?? 0;
   let length = elementLength;
-  for (const child of node.childNodes) length += lengthOf(child, lengths);
+  const isEnd = ({ nodeName }: Node): boolean => nodeName.toLowerCase() === "br";
+  const hasLines = [...node.childNodes].filter(isEnd).length > mostLines;
+  for (const child of node.childNodes) {
+    length += lengthOf(child, lengths);
+    if (!hasLines || !isEnd(child)) continue;
+    length += longestPiece / mostLines - elementLength;
+    lengths.set(child, longestPiece / mostLines);
+  }
   lengths.set(node, length);
   return length;
 }

@@ -27,8 +27,8 @@ export function hideClipped(body: Element): void {
 
 /** Returns whether the rectangle that a box is cut to has no area. */
 function isEmpty(clip: string): boolean {
-  const sides = /^rect\((.*)\)$/.exec(clip)?.[1]?.match(/auto|[-\d.]+px/g);
-  if (sides?.length !== 4 || sides.includes("auto")) return false;
+  if (!clip.startsWith("rect(") || clip.includes("auto")) return false;
+  const sides = clip.slice("rect(".length).split(",");
   const [top = 0, right = 0, bottom = 0, left = 0] = sides.map((side) => Number.parseFloat(side));
   return right <= left || bottom <= top;
 }
