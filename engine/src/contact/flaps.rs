@@ -119,20 +119,15 @@ impl Flaps {
     /// recto's side lies, whichever face of a flap it meets. Returns whether anything is.
     pub fn face_as_the_rest(&self, points: &[[f32; 3]], normals: &mut [[f32; 3]]) -> bool {
         let shut = self.shut(points);
-        let mut sums = vec![[0.0f32; 3]; normals.len()];
-        for triangle in &self.triangles {
+        let turned = self.triangles.iter().map(|triangle| {
             let sign = if is_turned_over(triangle.part, shut) {
                 -1.0
             } else {
                 1.0
             };
-            let normal = triangle.normal(points);
-            for node in triangle.nodes {
-                for axis in 0..3 {
-                    sums[node][axis] += sign * normal[axis];
-                }
-            }
-        }
+            triangle.normal(points).map(|along| sign * along)
+        });
+        let sums = self.sums_at_nodes(turned, normals.len());
         for (normal, sum) in normals.iter_mut().zip(sums) {
             if dot(sum, sum) > 0.0 {
                 *normal = unit(sum);
@@ -234,18 +229,21 @@ impl Flaps {
         (side, if is_over { CURLED } else { DEEPEST })
     }
 
-    /// The way that the recto faces at each node, and at none that is on a crease.
-    fn facing(&self, points: &[[f32; 3]]) -> Vec<[f32; 3]> {
-        let mut facing = vec![[0.0f32; 3]; points.len()];
-        for triangle in &self.triangles {
-            let normal = triangle.normal(points);
+    /// At each of so many nodes the sum of what is given of the triangles that have it.
+    fn sums_at_nodes(
+        &self,
+        of_triangles: impl Iterator<Item = [f32; 3]>,
+        nodes: usize,
+    ) -> Vec<[f32; 3]> {
+        let mut sums = vec![[0.0f32; 3]; nodes];
+        for (triangle, own) in self.triangles.iter().zip(of_triangles) {
             for node in triangle.nodes {
                 for axis in 0..3 {
-                    facing[node][axis] += normal[axis];
+                    sums[node][axis] += own[axis];
                 }
             }
         }
-        facing
+        sums
     }
 
     /// Has parts of a sheet, the one that these are of, kept off each other in its next
@@ -275,12 +273,15 @@ impl Flaps {
         seconds: f32,
     ) -> Vec<Touching> {
         let mut found: Vec<(Touching, u16, f32)> = Vec::new();
-        let facing = self.facing(points);
+        let triangles = self.triangles.iter();
+        let normals: Vec<_> = triangles.map(|triangle| triangle.normal(points)).collect();
+        // The way that the recto faces at each node; nothing is asked of those on creases.
+        let facing = self.sums_at_nodes(normals.iter().copied(), points.len());
         for (node, part) in self.parts.iter().enumerate() {
             let Some(part) = *part else { continue };
             let point = points[node];
             let first = found.len();
-            for other in &self.triangles {
+            for (other, normal) in self.triangles.iter().zip(&normals) {
                 let away = sub(point, points[other.nodes[0]]);
                 let speed = sub(velocities[node], velocities[other.nodes[0]]);
                 let nearer = seconds * dot(speed, speed).sqrt();
@@ -288,7 +289,7 @@ impl Flaps {
                 if other.part == part || dot(away, away) > reach * reach {
                     continue;
                 }
-                let is_alike = dot(facing[node], other.normal(points)) > 0.0;
+                let is_alike = dot(facing[node], *normal) > 0.0;
                 let (side, deepest) = self.side_of(other.part, part, is_alike);
                 let mut touching = Touching {
                     node,
@@ -355,7 +356,8 @@ mod tests {
             sheet.lay_folded(Side::Right);
             let flaps = Flaps::of(&sheet).expect("it has parts");
             let points = sheet.positions().as_chunks::<3>().0;
-            let facing = flaps.facing(points);
+            let normals = flaps.triangles.iter().map(|one| one.normal(points));
+            let facing = flaps.sums_at_nodes(normals, points.len());
             let (mut found, mut parts) = (0, 0);
             for (node, part) in flaps.parts.iter().enumerate() {
                 let Some(part) = *part else { continue };

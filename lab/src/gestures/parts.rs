@@ -100,20 +100,22 @@ mod tests {
     use turnleaf_engine::Stock;
     use turnleaf_engine::book::Book;
 
+    /// A book whose open page on the right is folded over onto itself, and the fold.
+    fn folded_page() -> (Book, [FoldLine; 1]) {
+        let through = [[0.6, 0.0], [0.6, 1.0]];
+        let lines = [FoldLine::pressed(through, 3.0, &Stock::BOOK, 0.14)];
+        let mut book = Book::new(0.14, 0.21, 40, 0.004).expect("a book's figures");
+        book.lay(5);
+        assert!(book.crease(5, &lines));
+        (book, lines)
+    }
+
     /// A page folded in two lies clear of itself; its flap pushed down is found under it. Pushed
     /// farther it counts as no deeper than parts are looked at: it may have been folded there, as it
     /// lies around its crease and goes through nothing.
     #[test]
     fn a_flap_pushed_into_its_page_is_found_there() {
-        let lines = [FoldLine::pressed(
-            [[0.6, 0.0], [0.6, 1.0]],
-            3.0,
-            &Stock::BOOK,
-            0.14,
-        )];
-        let mut book = Book::new(0.14, 0.21, 40, 0.004).expect("a book's figures");
-        book.lay(5);
-        assert!(book.crease(5, &lines));
+        let (book, lines) = folded_page();
         let (surface, mesh) = (book.surface(0).unwrap(), book.paper_mesh(0).unwrap());
         assert!(inside_parts(surface, mesh, &lines, 0.14) < 1e-4);
         let lowest = surface.positions.as_chunks::<3>().0.iter();
@@ -146,15 +148,7 @@ mod tests {
     /// clear of the page.
     #[test]
     fn a_flap_whose_end_is_curled_lies_clear_of_its_page() {
-        let lines = [FoldLine::pressed(
-            [[0.6, 0.0], [0.6, 1.0]],
-            3.0,
-            &Stock::BOOK,
-            0.14,
-        )];
-        let mut book = Book::new(0.14, 0.21, 40, 0.004).expect("a book's figures");
-        book.lay(5);
-        assert!(book.crease(5, &lines));
+        let (book, lines) = folded_page();
         let (surface, mesh) = (book.surface(0).unwrap(), book.paper_mesh(0).unwrap());
         let mut curled = surface.clone();
         let points = curled.positions.as_chunks_mut::<3>().0;

@@ -58,25 +58,24 @@ pub(super) fn mesh(columns: usize, rows: usize) -> PaperMesh {
     };
     for foot in cells(columns, rows) {
         let [column, row] = [foot % columns, foot / columns];
-        // Each is cut along the diagonal that goes to the middle of the nodes' cell.
+        // The nodes' cell that it is a quarter of, and the middle of that.
+        let cell = (row / 2) * (columns / 2) + column / 2;
+        let middle = [column, row].map(|at| at as i32 | 1);
+        // Each is cut along the diagonal that goes to that middle.
         for corners in cut_cell(foot, columns, (column + row) % 2 == 1) {
-            let lies_on = |is_side: &dyn Fn(usize) -> bool| {
-                corners.iter().filter(|corner| is_side(**corner)).count() == 2
-            };
-            let [first, low] = [column - column % 2, row - row % 2];
-            let side = if lies_on(&|corner| corner / columns == low) {
-                0
-            } else if lies_on(&|corner| corner % columns == first + 2) {
-                1
-            } else if lies_on(&|corner| corner / columns == low + 2) {
-                2
+            // From there to the side that a triangle lies next to is farther than along it.
+            let [across, up] = corners.iter().fold([0, 0], |[across, up], corner| {
+                let [column, row] = [corner % columns, corner / columns].map(|at| at as i32);
+                [across + column - middle[0], up + row - middle[1]]
+            });
+            let side = if up.abs() > across.abs() {
+                1 + up.signum()
             } else {
-                3
+                2 - across.signum()
             };
-            let cell = (row / 2) * ((columns - 1) / 2) + column / 2;
             mesh.triangles.push(corners.map(|corner| corner as u32));
             // Part 0 is what is not folded over, which no facet is.
-            mesh.parts.push((4 * cell + side + 1) as u16);
+            mesh.parts.push((4 * cell + side as usize + 1) as u16);
         }
     }
     mesh

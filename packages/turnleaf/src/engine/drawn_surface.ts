@@ -31,7 +31,7 @@ export class DrawnSurface {
     const known = this.#surface;
     const isSameMesh = known !== null && topology === this.#mesh[0] && triangles === this.#mesh[1];
     const isKnown = isSameMesh && known.version === version && known.thickness === thickness;
-    if (isKnown && known.layer === layer && known.positions.buffer === record.positions.buffer) {
+    if (isKnown && known.layer === layer && known.positions.buffer === record.buffer) {
       return known;
     }
     const creased = isSameMesh ? known.creased : record.mesh();

@@ -1,6 +1,6 @@
 /** Flaps of fold-outs in the engine through WASM. */
 
-import { readDrawn } from "../drawn_record.ts";
+import { DrawnRecord } from "../drawn_record.ts";
 import type { FlapPlace, FlapSheet } from "./book_engine.ts";
 import { DrawnSurface } from "./drawn_surface.ts";
 import { leafPapers } from "./leaf_papers.ts";
@@ -78,7 +78,7 @@ class WasmFlap implements FlapSheet {
 
   get surface(): Surface {
     const at = this.#wasm.tl_flap_surface(this.#flap);
-    return this.#surface.at(readDrawn(this.#wasm.memory, at));
+    return this.#surface.at(new DrawnRecord(this.#wasm.memory, at));
   }
 
   grab(u: number, v: number): void {

@@ -1,6 +1,6 @@
 /** Leaves that are torn out of a book in the engine through WASM. */
 
-import { readDrawn } from "../drawn_record.ts";
+import { DrawnRecord } from "../drawn_record.ts";
 import type { BoundRows, LeafTearing, TearOptions, TornSheet, UV } from "./book_engine.ts";
 import { DrawnSurface } from "./drawn_surface.ts";
 import { leafPapers } from "./leaf_papers.ts";
@@ -154,7 +154,7 @@ class WasmTornSheet implements TornSheet {
 
   get surface(): Surface {
     const [wasm, leaf] = [this.#wasm, this.#leaf];
-    return this.#surface.at(readDrawn(wasm.memory, wasm.tl_torn_surface(leaf)), {
+    return this.#surface.at(new DrawnRecord(wasm.memory, wasm.tl_torn_surface(leaf)), {
       opened: wasm.tl_torn_opened(leaf),
       layer: wasm.tl_torn_layer(leaf) >>> 0,
     });

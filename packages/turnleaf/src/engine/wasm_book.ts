@@ -3,7 +3,7 @@
  * frees all of its memory. Only numbers and flat arrays cross the boundary.
  */
 
-import { readDrawn } from "../drawn_record.ts";
+import { DrawnRecord } from "../drawn_record.ts";
 import type { BookEngine, BookSize } from "./book_engine.ts";
 import { DrawnSurface } from "./drawn_surface.ts";
 import { engineCode } from "./machine_code.ts";
@@ -253,10 +253,9 @@ export class WasmBook implements BookEngine {
 
   surface(index: number): Surface {
     const at = this.wasm.tl_book_surface(this.book, whole(index, mostFlights));
-    const record = readDrawn(this.wasm.memory, at);
-    const { byteOffset } = record.positions;
-    const surface = this.#surfaces.get(byteOffset) ?? new DrawnSurface(this.papers);
-    this.#surfaces.set(byteOffset, surface);
+    const record = new DrawnRecord(this.wasm.memory, at);
+    const surface = this.#surfaces.get(record.address) ?? new DrawnSurface(this.papers);
+    this.#surfaces.set(record.address, surface);
     return surface.at(record);
   }
 

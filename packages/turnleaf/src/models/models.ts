@@ -9,7 +9,7 @@
  * spine to 1 at the fore-edge, v from 0 at the foot to 1 at the head.
  */
 
-import { type DrawnRecord, readDrawn } from "../drawn_record.ts";
+import { DrawnRecord } from "../drawn_record.ts";
 import { type Model, models } from "../model_names.ts";
 import { unpack } from "../packed.ts";
 import type { PaperMesh } from "../paper_mesh.ts";
@@ -444,7 +444,7 @@ export class LooseLeaf {
   }
 
   private drawn(): DrawnRecord {
-    return readDrawn(this.wasm.memory, this.wasm.tl_leaf_surface(this.leaf));
+    return new DrawnRecord(this.wasm.memory, this.wasm.tl_leaf_surface(this.leaf));
   }
 
   /** Keeps the mesh of a creased leaf. */
