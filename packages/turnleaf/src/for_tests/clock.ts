@@ -35,7 +35,10 @@ const waiting: (() => void)[] = [];
 let now = realTime();
 let isInstalled = false;
 let lastRequest = 0;
+/** Whether a test has asked that no frame be drawn but those it asks for. */
 let isHeld = false;
+/** Calls that are drawing frames of their own. They may overlap, and end in any order, even in a later test. */
+let drawing = 0;
 let hasTask = false;
 
 tasks.port1.onmessage = () => {
@@ -43,13 +46,18 @@ tasks.port1.onmessage = () => {
   if (resolve) resolve();
   else {
     hasTask = false;
-    if (!isHeld) frame();
+    if (drawsUnasked()) frame();
   }
 };
 
+/** Returns whether frames are drawn as soon as they are requested. */
+function drawsUnasked(): boolean {
+  return !isHeld && drawing === 0;
+}
+
 /** Has the next frame drawn in a task of its own. */
 function schedule(): void {
-  if (isHeld || hasTask || requests.size === 0) return;
+  if (!drawsUnasked() || hasTask || requests.size === 0) return;
   hasTask = true;
   tasks.port2.postMessage(null);
 }
@@ -90,12 +98,11 @@ function task(): Promise<void> {
 
 /** Has no frames drawn but those of `work`. */
 async function whileHeld(work: () => Promise<void>): Promise<void> {
-  const wasHeld = isHeld;
-  isHeld = true;
+  drawing++;
   try {
     await work();
   } finally {
-    isHeld = wasHeld;
+    drawing--;
     schedule();
   }
 }
