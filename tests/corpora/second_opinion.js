@@ -129,9 +129,12 @@ function lettersFrom(element, pieces, most) {
   return letters.slice(0, most);
 }
 
-/** Returns a text's letters: without blanks and what is never seen, in one form. */
+/**
+ * Returns a text's letters: without blanks and what is never seen, in one form. And without the signs by which
+ * a formula is written on one line: its elements have none of them.
+ */
 export function lettersOf(text) {
-  return text.normalize("NFKC").replace(/[\s\p{Cc}\p{Cf}\u{FFFD}]+/gu, "");
+  return text.normalize("NFKC").replace(/[\s\p{Cc}\p{Cf}\u{FFFD}^_(){}[\],;]+/gu, "");
 }
 
 /** Reads the package of a book whose files lie at an address. */

@@ -65,6 +65,13 @@ test("a long chapter with the style of a framework is within the budget", async 
   await check(`<h1 data-x="1">One</h1>${prose(5000)}`, css);
 });
 
+test("a short chapter with a detailed drawing is within the budget, with a thousand of them it is not", async () => {
+  const drawing = svg(times(5000, (k) => `<path d="M${k} 0v1"/>`));
+  const picture = `<img src="data:image/svg+xml,${encodeURIComponent(drawing)}">`;
+  await check(picture, "");
+  await expect(check(picture.repeat(1000), "")).rejects.toThrow("stand for too many others");
+});
+
 test("a chain of references that is longer than the stack is rejected in a sentence", async () => {
   const chain = times(30_000, (k) => `<g id="a${k}"><use href="#a${k + 1}"/></g>`);
   await expect(checkSvg(svg(chain), "It")).rejects.toThrow(

@@ -14,7 +14,7 @@ import { pixelsAttribute, styleAttribute } from "./typeset/flow_book.ts";
 import { mostNanoseconds, paintingOfDrawing, stepsOf } from "./typeset/paint_cost.ts";
 
 /**
- * Elements that references may add: so many for each element that is there, as
+ * Elements that references and repeated pictures may add: so many for each element that is there, as
  * of maps with a symbol at each place, and so many besides.
  */
 const addedEach = 20;
@@ -167,7 +167,9 @@ class Count {
     const pixels = await this.#checkPictures();
     const cost = this.#total();
     const { elements, layers, filterSteps } = cost;
-    const most = Math.min(length + addedEach * length + addedBesides, limits.elements);
+    // What is in its pictures, each of them once, is there too, and within a budget of its own.
+    const there = [...this.#pictures.values()].reduce((sum, one) => sum + one.elements, length);
+    const most = Math.min(there + addedEach * there + addedBesides, limits.elements);
     if (!(elements <= most)) this.#reject("its elements stand for too many others");
     if (!(layers <= deepestLayers)) this.#reject("too many of its layers are within each other");
     if (!(filterSteps <= mostFilterSteps)) this.#reject("its filters have too many steps");

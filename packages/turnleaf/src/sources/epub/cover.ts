@@ -10,9 +10,6 @@ const xlink = "http://www.w3.org/1999/xlink";
 /** Characters of a chapter that may be a cover's page: some lines, and a drawing. */
 const mostMarkup = 100_000;
 
-/** Characters of text beside a picture that only names it, as "Cover". */
-const mostCaption = 80;
-
 /** A book's cover. */
 export interface EpubCover {
   /** What its picture is read from. */
@@ -24,11 +21,13 @@ export interface EpubCover {
 /**
  * Returns the cover of a book; null if it has none.
  *
+ * @param title of the book
  * @param first the first chapter, if it can be read
  * @param named the picture that the package names as the cover, if the archive has it
  * @param size returns how long a file is, bytes
  */
 export async function coverOf(
+  title: string,
   first: Chapter | null,
   named: Chapter | null,
   files: EpubFiles,
@@ -39,8 +38,9 @@ export async function coverOf(
     const { document } = await readMarkup(await files.text(first.href), "application/xhtml+xml");
     const body = document.querySelector("body");
     if (body && lonePicture(body)) return { chapter: first, isFirst: true };
-    const isCaptioned = (body?.textContent ?? "").trim().length <= mostCaption;
     const pictures = [...(body?.querySelectorAll("img, image") ?? [])];
+    const names = [document.querySelector("title")?.textContent, pictures[0]?.getAttribute("alt")];
+    const isCaptioned = isName(body?.textContent ?? "", names, title);
     const [address = ""] = pictures.map(
       (picture) =>
         picture.getAttribute("src") ??
@@ -52,4 +52,26 @@ export async function coverOf(
     if (isNamed && isCaptioned && pictures.length === 1) return { chapter: named, isFirst: true };
   }
   return named ? { chapter: named, isFirst: false } : null;
+}
+
+/**
+ * Returns whether text beside a picture only names it, as "Cover" does, so that nothing is lost without it.
+ * With the title of the book it is a title page.
+ *
+ * @param names of the picture, or of what it is alone in
+ */
+function isName(
+  text: string,
+  names: readonly (string | null | undefined)[],
+  title: string,
+): boolean {
+  const said = words(text);
+  if (said === "" || said.includes(words(title))) return said === "";
+  return names.some((name) => words(name ?? "") === said);
+}
+
+/** Returns the words of a text with a space around each, whatever lies between them; "" if there are none. */
+function words(text: string): string {
+  const found = text.toLowerCase().match(/[\p{L}\p{N}]+/gu);
+  return found ? ` ${found.join(" ")} ` : "";
 }

@@ -182,10 +182,11 @@ async function readEpub(archive: Archive, file: Blob, name: string): Promise<Flo
   }
   const first = rollsOf(ordered)[0] === undefined ? ordered[0] : undefined;
   const isReadable = first?.missing === "" && !first.isFixed;
+  const title = cleanText(textOf(metadata.title)) || name;
   const picture = pictureNamed(manifest, resources.cover, names);
   const cover = isFixedBook
     ? null
-    : await coverOf(isReadable ? first : null, picture, files, (path) => archive.size(path));
+    : await coverOf(title, isReadable ? first : null, picture, files, (path) => archive.size(path));
   if (cover && !cover.isFirst) {
     const about = { listedAs: "", missing: "", isAside: false, side: undefined, flow: "", page: 0 };
     ordered.unshift({ id: "", ...cover.chapter, ...about });
@@ -263,7 +264,7 @@ async function readEpub(archive: Archive, file: Blob, name: string): Promise<Flo
     });
   return {
     name,
-    title: cleanText(textOf(metadata.title)) || name,
+    title,
     titleDirection:
       directionOf(resources.opf.getElementsByTagNameNS(dublinCore, "title")[0], resources.opf) ??
       "auto",

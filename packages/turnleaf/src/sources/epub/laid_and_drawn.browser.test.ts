@@ -154,14 +154,22 @@ test.each([
   ["by a path", "clip-path: inset(50%)"],
   ["by no height", "height: 0; overflow: hidden"],
   ["before the page", "position: absolute; left: -9999px"],
-])("words that are hidden %s are on no page", async (_, style) => {
-  const source = await laidOutEpub({
-    chapters: [
-      `${prose(20)}<h2 style="page-break-before: always">seen</h2><p style="${style}">not</p>`,
-    ],
-  });
-  expect((await pagesOf(source)).map(letters).at(-1)).toBe("seen");
-  await expectDrawnAsLaid(source);
+  ["above the page", "position: absolute; top: -9999px; white-space: nowrap"],
+  [
+    "before lines that run to the left",
+    "position: absolute; right: -9999px; font-size: 2em",
+    "rtl",
+  ],
+])("words that are hidden %s are on no page", async (_, style, direction = "ltr") => {
+  // Fewer than fill a line, and more.
+  for (const hidden of ["not", "not one of them ".repeat(8)]) {
+    const body = `${prose(20)}<h2 style="page-break-before: always">seen</h2><p style="${style}">${hidden}</p>`;
+    const source = await laidOutEpub({
+      chapters: [document("", body).replace("<html", `<html dir="${direction}"`)],
+    });
+    expect((await pagesOf(source)).map(letters).at(-1), hidden).toBe("seen");
+    await expectDrawnAsLaid(source);
+  }
 });
 
 test.each([
@@ -192,17 +200,25 @@ test("a letter after a hyphen is on its own line", async () => {
   await expectDrawnAsLaid(source);
 });
 
-test("a formula that is wider than a line is smaller, or broken", async () => {
-  const sum = (terms: number): string =>
-    `<p>before</p><math xmlns="http://www.w3.org/1998/Math/MathML" display="block"><mrow>${"<mi>a</mi><mo>+</mo>".repeat(terms)}</mrow></math><p>after</p>`;
-  for (const terms of [20, 80]) {
-    const source = await laidOutEpub({ chapters: [sum(terms)] });
-    expect(source.pageCount).toBe(1);
-    const { width } = await source.size(0);
-    const runs = (await source.text?.(0, never)) ?? [];
-    for (const run of runs) expect(run.x + run.width).toBeLessThan(width);
-  }
-});
+test.each([20, 80])(
+  "a formula of %d terms, wider than a line, is smaller, or broken",
+  async (terms) => {
+    const sum = `<math xmlns="http://www.w3.org/1998/Math/MathML" display="block"><mrow>${"<mi>a</mi><mo>+</mo>".repeat(terms)}</mrow></math>`;
+    for (const chapter of [
+      `<p>before</p>${sum}<p>after</p>`,
+      // What is around it goes on from page to page, or is as wide as its text.
+      `${prose(8)}${sum}${prose(8)}`,
+      `<div>${prose(8)}<p><span><b>${sum}</b></span></p>${prose(8)}</div>`,
+    ]) {
+      const source = await laidOutEpub({ chapters: [chapter] });
+      for (let index = 0; index < source.pageCount; index++) {
+        const { width } = await source.size(index);
+        const runs = (await source.text?.(index, never)) ?? [];
+        for (const run of runs) expect(run.x + run.width, run.text).toBeLessThan(width);
+      }
+    }
+  },
+);
 
 test.each([
   ["sideways-lr", "", prose(8)],

@@ -57,6 +57,8 @@ export function fitBoxes(
         isWhole || !/^(?:pre|nowrap)$/.test(view.getComputedStyle(element).whiteSpace);
       if (!isHigh && !isWide && isLined && !isOverfull(element, rects, range)) continue;
       known.add(element);
+      // What is not seen would only take room.
+      if (view.getComputedStyle(element).visibility === "hidden") continue;
       // The items of a grid are as wide as its tracks.
       const grid = isWide ? element.parentElement : null;
       const isItem = grid !== null && view.getComputedStyle(grid).display.endsWith("grid");

@@ -12,10 +12,12 @@ const rows = ":scope > mrow, :scope > mstyle, :scope > semantics";
 export function fitFormulas(body: Element, isVertical: boolean): void {
   const view = body.ownerDocument.defaultView as Window;
   for (const math of body.querySelectorAll<HTMLElement>("math")) {
-    const around = math.parentElement as Element;
-    const [own, room] = [math, around].map((element) => {
-      const { width, height } = element.getBoundingClientRect();
-      return isVertical ? height : width;
+    const [own, room] = [math, boxAround(math)].map((element) => {
+      // One rectangle for each page that it is on.
+      const lengths = [...element.getClientRects()].map((one) =>
+        isVertical ? one.height : one.width,
+      );
+      return Math.max(...lengths, 0);
     }) as [number, number];
     if (room === 0 || widthIn(math, own, isVertical) <= room + tolerance) continue;
     const type = Number.parseFloat(view.getComputedStyle(math).fontSize);
@@ -23,6 +25,15 @@ export function fitFormulas(body: Element, isVertical: boolean): void {
     setStyles(math, { "font-size": `${type * Math.max(size, smallest)}px` });
     if (size < smallest) breakUp(math);
   }
+}
+
+/** Returns the box whose lines a formula is in: what is as wide as its own text gives it no room. */
+function boxAround(math: Element): Element {
+  const view = math.ownerDocument.defaultView as Window;
+  let box = math.parentElement as Element;
+  while (box.parentElement && /^(inline|contents)$/.test(view.getComputedStyle(box).display))
+    box = box.parentElement;
+  return box;
 }
 
 /** Returns how wide a formula is with all its parts, which may lie beyond its own box. */

@@ -26,7 +26,7 @@ import {
   ownStyle,
   unmoved,
 } from "./frame.ts";
-import { hideClipped } from "./hide_clipped.ts";
+import { hideUnseen } from "./hide_unseen.ts";
 import { divideWords } from "./hyphenation/divide_words.ts";
 import { bleed } from "./lone_picture.ts";
 import { type MarginStyle, Markup, type PageMargins } from "./markup.ts";
@@ -385,7 +385,7 @@ async function layIn<T>(
     const ends = isSliced ? { height: Number.POSITIVE_INFINITY } : {};
     const fitted = new WeakSet<Element>();
     const fit = (): void => fitBoxes(body, { ...area, ...ends }, writingMode, fitted);
-    hideClipped(body);
+    hideUnseen(body, flow);
     if (!isSliced) honourBreaks(body, writingMode);
     fit();
     fitFormulas(body, isVertical);

@@ -108,14 +108,14 @@ export class TextMap {
   #pieceOf(node: Piece["node"], offset: number, pageCount: number): Piece | null {
     this.#range.selectNodeContents(node);
     let [first, last] = [Number.POSITIVE_INFINITY, -1];
-    const whole = isText(node) ? null : [this.#range.getBoundingClientRect()];
-    for (const rect of whole ?? this.#range.getClientRects()) {
+    for (const rect of this.#range.getClientRects()) {
       if (rect.width === 0 || rect.height === 0) continue;
       const page = Math.min(Math.max(pageOfRect(this.#flow, rect), 0), pageCount - 1);
       first = Math.min(first, page);
       last = Math.max(last, page);
     }
-    return last < 0 ? null : { node, offset, first, last };
+    // A formula is said once, where it begins.
+    return last < 0 ? null : { node, offset, first, last: isText(node) ? last : first };
   }
 
   /** Returns the first character of a piece that is on a page or after it, blanks apart. */
@@ -206,12 +206,23 @@ export class TextMap {
     return lines;
   }
 
-  /** Returns a formula as one line: its parts stand above each other, and mean nothing one by one. */
+  /**
+   * Returns a formula as one line: its parts stand above each other, and mean nothing one by one. Of one that
+   * goes on on another page it is where the parts on this one are.
+   */
   #formulaOf(math: Element, page: number): Line[] {
     this.#range.selectNodeContents(math);
-    const box = this.#onPage(this.#range.getBoundingClientRect(), page);
+    const rects = [...this.#range.getClientRects()].filter(
+      (one) => one.width > 0 && one.height > 0,
+    );
+    const here = rects.filter((rect) => pageOfRect(this.#flow, rect) === page);
+    // One that lies before the first page or after the last counts as on it.
+    const [first, ...others] = (here.length > 0 ? here : rects).map((one) =>
+      this.#onPage(one, page),
+    );
     const text = cleanRun(math.getAttribute(formulaAttribute) ?? math.textContent ?? "");
-    if (text === "") return [];
+    if (text === "" || !first) return [];
+    const box = others.reduce(union, first);
     return [{ text, box, boxes: [], isVertical: isVerticalIn(math), math: xmlOf(math) }];
   }
 

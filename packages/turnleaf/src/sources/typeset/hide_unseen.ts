@@ -1,0 +1,47 @@
+/** Boxes of which a book shows nothing, as of words for screen readers alone: none of their text is on paper. */
+
+import { setStyles } from "./box_styles.ts";
+import type { PageFlow } from "./text_map.ts";
+
+/** A box of at most so many CSS pixels shows nothing of what is cut at its edges. */
+const nothing = 1;
+
+/** Cuts that leave nothing of a box. */
+const emptyClip = /^inset\((?:50|100)%(?: (?:50|100)%)*\)$/;
+
+/**
+ * Hides the boxes in a section's body, laid out, of which nothing is seen: as their edges cut it, or as they lie
+ * before the first page, where no browser scrolls to.
+ */
+export function hideUnseen(body: Element, flow: PageFlow): void {
+  const view = body.ownerDocument.defaultView as Window & typeof globalThis;
+  const elements = [...body.querySelectorAll("*")].filter((one) => one instanceof view.HTMLElement);
+  const before = new Set<Element>();
+  // What is in a box may be seen though the box is not.
+  for (const element of elements.toReversed()) {
+    const isBefore = [...element.getClientRects()].every((rect) => liesBefore(rect, flow));
+    if (isBefore && [...element.children].every((child) => before.has(child))) before.add(element);
+  }
+  const hidden = elements.filter((element) => {
+    const { overflowX, overflowY, clip, clipPath, display } = view.getComputedStyle(element);
+    const isShort =
+      (overflowX !== "visible" && element.offsetWidth <= nothing) ||
+      (overflowY !== "visible" && element.offsetHeight <= nothing);
+    const isCut = (isShort && display !== "inline") || isEmpty(clip) || emptyClip.test(clipPath);
+    return isCut || (before.has(element) && element.getClientRects().length > 0);
+  });
+  for (const element of hidden) setStyles(element, { visibility: "hidden" });
+}
+
+/** Returns whether a rectangle lies before the first page. */
+function liesBefore({ left, right, bottom }: DOMRect, { stepX }: PageFlow): boolean {
+  return bottom < 0 || (stepX < 0 ? left > -stepX : right < 0);
+}
+
+/** Returns whether the rectangle that a box is cut to has no area. */
+function isEmpty(clip: string): boolean {
+  if (!clip.startsWith("rect(") || clip.includes("auto")) return false;
+  const sides = clip.slice("rect(".length).split(",");
+  const [top = 0, right = 0, bottom = 0, left = 0] = sides.map((side) => Number.parseFloat(side));
+  return right <= left || bottom <= top;
+}
