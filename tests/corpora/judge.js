@@ -238,6 +238,9 @@ export async function judge(address, fileName, base, log) {
       fault(error.name === "BookError" ? "refused" : "failed", error.message, index + 1);
     }
   }
+  // A page is empty where it is said that what stands on it cannot be shown.
+  const said = new Set((source.warnings ?? []).map(({ page }) => page));
+  found.blank = found.blank.filter((index) => !said.has(index + 1));
   result.blank = found.blank.length;
   try {
     found.outline = (await source.outline?.(never)) ?? [];

@@ -1,7 +1,7 @@
 /** What a book lists and cannot be shown: each is a page with a sentence, or an entry of `warnings`. */
 
 import { expect, test } from "vitest";
-import { closeBooks, laidOut } from "../for_tests/laid_out_books.ts";
+import { closeBooks, laidOut, wordsOf } from "../for_tests/laid_out_books.ts";
 import { tinyEpub } from "./epub/tiny_epub.ts";
 import type { PageSource } from "./page_source.ts";
 
@@ -11,6 +11,25 @@ const listed = (
   source: PageSource,
 ): (readonly [string, string | undefined, number | undefined])[] =>
   (source.warnings ?? []).map(({ code, source: about, page }) => [code, about, page] as const);
+
+test("says what only a script would draw, and shows what stands there for it", async () => {
+  const source = await laidOut(
+    tinyEpub({
+      chapters: [
+        '<script src="waves.js"></script><p>Waves:</p><canvas id="w"></canvas><canvas><p>A picture of waves</p></canvas>',
+        '<div id="scene"></div><script src="lib.js"></script><script src="scene.js"></script><script>start()</script>',
+        "<div><b> </b></div><script>start()</script>",
+        '<p>Text</p><script src="more.js"></script>',
+      ],
+    }),
+  );
+  expect(listed(source)).toEqual([
+    ["embedded", "OEBPS/waves.js", 1],
+    ["embedded", "OEBPS/scene.js", 2],
+    ["embedded", "script", 3],
+  ]);
+  expect(await wordsOf(source, 0)).toBe("Waves: A picture of waves");
+});
 
 test("an EPUB's missing and damaged parts of every kind, with their files and pages", async () => {
   const source = await laidOut(

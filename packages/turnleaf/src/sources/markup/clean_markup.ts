@@ -107,6 +107,7 @@ export async function cleanMarkup(
     const address = element.getAttribute("src") ?? "";
     if (address !== "") element.before(placeOfLost(element, "embedded", address, files));
   }
+  placeScripted(root, files);
   for (const element of root.querySelectorAll(unshown)) element.remove();
   await inlinePictures(root, files);
   for (const element of [root, ...root.querySelectorAll("*")]) {
@@ -242,7 +243,7 @@ function placeOfLost(
   element: Element,
   code: LostPart["code"],
   address: string,
-  files: MarkupFiles,
+  files: Pick<MarkupFiles, "nameOf">,
 ): Element {
   const place = element.ownerDocument.createElementNS(xhtml, "span");
   place.setAttribute(lostAttribute, code);
@@ -288,6 +289,38 @@ function placeOf(medium: Element, files: MarkupFiles): void {
     place.setAttribute(mediumKindAttribute, isFilm ? "video" : "audio");
   }
   medium.replaceWith(place);
+}
+
+/**
+ * No script runs: puts what stands in a canvas in its place, and says what is not there of one in which nothing
+ * stands, or of a chapter in which nothing else is.
+ */
+function placeScripted(root: Element, files: MarkupFiles): void {
+  const scripts = [...root.querySelectorAll("script")];
+  const address = scripts.findLast((one) => one.getAttribute("src"))?.getAttribute("src");
+  const lostIn = (element: Element): Element =>
+    address
+      ? placeOfLost(element, "embedded", address, files)
+      : placeOfLost(element, "embedded", "script", {});
+  for (const canvas of root.querySelectorAll("canvas")) {
+    if (isBlank(canvas)) canvas.before(lostIn(canvas));
+    canvas.replaceWith(...canvas.childNodes);
+  }
+  const body = root.querySelector("body") ?? root;
+  if (scripts.length > 0 && isBlank(body)) body.prepend(lostIn(body));
+}
+
+/** Returns whether an element shows neither text nor a picture, nor says what it cannot show. */
+function isBlank(element: Element): boolean {
+  if (element.querySelector(`img, image, svg, math, hr, audio, video, [${lostAttribute}]`)) {
+    return false;
+  }
+  const texts = element.ownerDocument.createTreeWalker(element, NodeFilter.SHOW_TEXT);
+  while (texts.nextNode()) {
+    const { nodeValue, parentElement } = texts.currentNode;
+    if (nodeValue?.trim() && !parentElement?.matches("script, style, template")) return false;
+  }
+  return true;
 }
 
 /** Puts an embedded object's picture in its place, or what stands there without it. */
