@@ -16,7 +16,7 @@ test("says what only a script would draw, and shows what stands there for it", a
   const source = await laidOut(
     tinyEpub({
       chapters: [
-        '<script src="waves.js"></script><p>Waves:</p><canvas id="w"></canvas><canvas><p>A picture of waves</p></canvas>',
+        '<script src="first.js"></script><p>Drawn:</p><canvas id="w"></canvas><canvas><p>As a picture</p></canvas>',
         '<div id="scene"></div><script src="lib.js"></script><script src="scene.js"></script><script>start()</script>',
         "<div><b> </b></div><script>start()</script>",
         '<p>Text</p><script src="more.js"></script>',
@@ -24,11 +24,11 @@ test("says what only a script would draw, and shows what stands there for it", a
     }),
   );
   expect(listed(source)).toEqual([
-    ["embedded", "OEBPS/waves.js", 1],
+    ["embedded", "OEBPS/scene.js", 1],
     ["embedded", "OEBPS/scene.js", 2],
     ["embedded", "script", 3],
   ]);
-  expect(await wordsOf(source, 0)).toBe("Waves: A picture of waves");
+  expect(await wordsOf(source, 0)).toBe("Drawn: As a picture");
 });
 
 test("an EPUB's missing and damaged parts of every kind, with their files and pages", async () => {
