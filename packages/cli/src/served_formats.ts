@@ -28,12 +28,12 @@ export const readableImages: string = listFormats(
  * Returns the format of a file that is served; otherwise why it is none, as the end of a sentence.
  *
  * @param start its first bytes, as many as show a format
- * @param name which tells text and Markdown apart
+ * @param name which counts where bytes do not tell, as of text and Markdown
  */
 export function servedFormat(start: Uint8Array, name: string): FileFormat | string {
   const named = formatOfName(name);
   const type = named?.family === "text" ? named.type : "";
-  const format = formatOfFile({ start, type });
+  const format = formatOfFile({ start, type, name });
   return reasonAgainst(format) ?? (format as FileFormat);
 }
 

@@ -1,6 +1,6 @@
 import type { PDFDocumentLoadingTask, PDFDocumentProxy, PDFPageProxy } from "pdfjs-dist";
 import { cleanAddress, cleanLanguage, cleanText, decodeEscapes } from "./book_text.ts";
-import { nameAndMessage, unknownFailure } from "./failures.ts";
+import { closedError, nameAndMessage, unknownFailure } from "./failures.ts";
 import { brokeOff, httpError } from "./fetch_bytes.ts";
 import { fitPixels, isPageSize, limits, wholePage } from "./limits.ts";
 import {
@@ -474,7 +474,7 @@ class PdfSource implements PageSource {
     this.#closed = true;
     this.#drawn.clear();
     // A worker that ends sends nothing more to those that wait.
-    this.#thread.giveUp(this.#closedError());
+    this.#thread.giveUp(closedError(this.#name));
     this.#stop();
   }
 
@@ -504,20 +504,13 @@ class PdfSource implements PageSource {
 
   async #page(index: number, signal?: AbortSignal): Promise<PDFPageProxy> {
     signal?.throwIfAborted();
-    if (this.#closed) throw this.#closedError();
+    if (this.#closed) throw closedError(this.#name);
     try {
       const page = this.#thread.orFailed(this.#document.getPage(index + 1));
       return await (signal ? orAborted(page, signal) : page);
     } catch (error) {
       throw this.#failureOf(error, index, signal);
     }
-  }
-
-  #closedError(): BookError {
-    return new BookError(`${this.#name} is closed; open it again.`, {
-      code: "closed",
-      source: this.#name,
-    });
   }
 
   /** Frees the parsed content of the page drawn longest ago. */
