@@ -101,8 +101,8 @@ const allBut = (lines, name, limit) => ({
 });
 
 export default [
-  allBut([...usual, ...apart], "shows and turns a book", 169),
+  allBut([...usual, ...apart], "shows and turns a book", 169.5),
   ...usual,
   ...apart,
-  allBut(apart, "all that a usual book loads", 217),
+  allBut(apart, "all that a usual book loads", 217.5),
 ];
