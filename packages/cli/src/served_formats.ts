@@ -28,12 +28,13 @@ export const readableImages: string = listFormats(
  * Returns the format of a file that is served; otherwise why it is none, as the end of a sentence.
  *
  * @param start its first bytes, as many as show a format
- * @param name which counts where bytes do not tell, as of text and Markdown
+ * @param name which tells text and Markdown apart
  */
 export function servedFormat(start: Uint8Array, name: string): FileFormat | string {
   const named = formatOfName(name);
   const type = named?.family === "text" ? named.type : "";
-  const format = formatOfFile({ start, type, name });
+  // By its name alone no file is a ZIP here: whether one lies behind other bytes only its end would say.
+  const format = formatOfFile({ start, type });
   return reasonAgainst(format) ?? (format as FileFormat);
 }
 
