@@ -2,6 +2,7 @@
  * What a page loads, in kB gzip, by what it is loaded for: `make size`. The limits leave room to write
  * plainly; they are there so that a dependency or a file in the wrong chunk is seen.
  */
+import { readdirSync, readFileSync } from "node:fs";
 
 const dist = "packages/turnleaf/dist";
 const kilobytes = (limit) => ({ limit: `${limit} kB`, gzip: true });
@@ -10,6 +11,18 @@ const chunks = (names) => names.split(" ").map((chunk) => `${dist}/${chunk}-????
 
 /** Returns a line for chunks of the viewer, by their names without hashes. */
 const part = (name, limit, names) => ({ name, path: chunks(names), ...kilobytes(limit) });
+
+/** Returns the names of chunks that are built and begin with code that `open_file.ts` imports: readers of formats. */
+function readers() {
+  const source = readFileSync("packages/turnleaf/src/sources/open_file.ts", "utf8");
+  const names = [...source.matchAll(/import\("\.\/(?:\w+\/)?(\w+)\.ts"\)/g)].map(
+    ([, name]) => name,
+  );
+  const built = readdirSync(dist).map((file) => file.replace(/-.{8}\.js$/, ""));
+  // Those of PDF and of images are lines of their own.
+  const others = ["pdf", "images", "tiff_pages"];
+  return [...new Set(names)].filter((name) => built.includes(name) && !others.includes(name));
+}
 
 /** Returns a line for an entry of the package: its own file, and the chunks that only it loads. */
 const entry = (name, limit, names = "") => ({
@@ -51,8 +64,8 @@ const apart = [
     "reads other formats",
     // Alignment, division of words, running heads and folios; tables that are turned and split, switches; XZ.
     // Packages, contents and chapters however they are written. What lies beyond its page, formulas, heights.
-    252.5,
-    "budget clean_markup comic data_url epub fb2 font_type html_pages iiif_source kindle legacy_names media_overlays names package_document packed_file parse_markup svg text_book unpacked_archive unpacker unpacker_worker.ts writing_direction decode_text zip",
+    253.5,
+    `${readers().join(" ")} budget clean_markup data_url font_type html_pages legacy_names media_overlays names package_document parse_markup svg unpacker unpacker_worker.ts writing_direction decode_text`,
   ),
   part("decodes TIFF and JPEG 2000", 60, "rare_images rare_size tiff_pages decoder_worker.ts"),
   part("cuts strips into pages", 2, "strips"),

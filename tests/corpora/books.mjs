@@ -1,22 +1,17 @@
 /** The books of a collection: files of formats that are read, and EPUBs that lie unpacked. */
 import { existsSync, readdirSync, readFileSync, statSync } from "node:fs";
-import { basename, extname, join, relative } from "node:path";
+import { basename, join, relative } from "node:path";
 import { unzipSync, zipSync } from "fflate";
+import { importTs } from "../../scripts/import_ts.mjs";
 
-const formats = {
-  ".epub": "epub",
-  ".pdf": "pdf",
-  ".fb2": "fb2",
-  ".fbz": "fb2",
-  ".mobi": "kindle",
-  ".prc": "kindle",
-  ".azw": "kindle",
-  ".azw3": "kindle",
-  ".cbz": "comic",
-  ".cbr": "comic",
-  ".cb7": "comic",
-  ".cbt": "comic",
-};
+const { formatOfName } = await importTs("sources/formats.ts");
+
+/** Returns what a collection's report calls the format of a book by its name; undefined if it is no book's. */
+function formatByName(name) {
+  const { family, kind } = formatOfName(name) ?? {};
+  if (family === "comic") return "comic";
+  return family === "book" ? kind : undefined;
+}
 
 /** Returns the entries of a folder by name. */
 const entriesOf = (folder) =>
@@ -77,7 +72,7 @@ class Book {
 /** Returns the books beneath a folder, or the one that a path is. */
 export function booksIn(root, path = root) {
   if (!statSync(path).isDirectory()) {
-    const format = formats[extname(path).toLowerCase()];
+    const format = formatByName(basename(path));
     return format ? [new Book(root, path, format, false)] : [];
   }
   if (isUnpacked(path)) return [new Book(root, path, "epub", true)];

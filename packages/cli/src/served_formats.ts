@@ -33,6 +33,7 @@ export const readableImages: string = listFormats(
 export function servedFormat(start: Uint8Array, name: string): FileFormat | string {
   const named = formatOfName(name);
   const type = named?.family === "text" ? named.type : "";
+  // By its name alone no file is a ZIP here: whether one lies behind other bytes only its end would say.
   const format = formatOfFile({ start, type });
   return reasonAgainst(format) ?? (format as FileFormat);
 }

@@ -29,3 +29,7 @@ test("a name tells text and Markdown apart, and what else text is", () => {
   expect(found("Caf\xe9", "a")).toBe("is of an unknown format");
   expect(found("%PDF-1.7", "a.md")).toMatchObject({ type: "application/pdf" });
 });
+
+test("what is not known by its bytes is no ZIP by its name", () => {
+  expect(found(`\x7fELF${"\0".repeat(2000)}`, "a.epub")).toBe("is of an unknown format");
+});

@@ -8,20 +8,10 @@ import {
 } from "./attributes.ts";
 import { readStocks } from "./book/leaf_stocks.ts";
 import type { Paper } from "./book/paper.ts";
-import {
-  directionOf,
-  forward,
-  leftPage,
-  pageOf,
-  pagesAt,
-  rightPage,
-  spreadOf,
-} from "./book/spreads.ts";
-import type { BookState } from "./book/turning.ts";
+import { pagesAt, spreadOf } from "./book/spreads.ts";
 import { ControlsLoader } from "./controls/controls_loader.ts";
 import { bindingOptionsOf, paperOf, turnSecondsOf } from "./element/attribute_options.ts";
 import { BookLifecycle, pdfWorkerOf } from "./element/book_lifecycle.ts";
-import type { TurnDetail } from "./element/events.ts";
 import { failureDetail, sentenceOf } from "./element/failure_detail.ts";
 import type { OpenBook } from "./element/open_book.ts";
 import type { PageChanges } from "./element/page_changes.ts";
@@ -56,19 +46,8 @@ const effects: ReadonlyMap<string, AttributeEffect> = new Map([
   }),
 ]);
 
-/** How pages change by a command. */
-export interface TurnOptions {
-  /** If false, they change at once, without motion. The default is true. */
-  readonly motion?: boolean;
-  /**
-   * How far down the page, as a fraction of its height from its head, where the page is scrolled.
-   * The default is 0.
-   */
-  readonly top?: number;
-}
-
 /**
- * The element's class: opens the book and turns it. Its attributes are
+ * The element's class: opens books, each in place of the one before. Its attributes are
  * described with their properties.
  */
 export class TurnleafBook extends TearableElement {
@@ -89,7 +68,7 @@ export class TurnleafBook extends TearableElement {
     options: (source) => this.#options(source),
     turn: (by, isTap) => this.press(by, isTap),
     announceZoom: () => this.announceZoom(),
-    calm: () => this.#calm,
+    calm: () => this.isCalm,
     goTo: (page, top) => void this.turnTo(page, { top, jump: true }),
     typography: () => this.#text.take(),
     password: () => this.password,
@@ -135,16 +114,10 @@ export class TurnleafBook extends TearableElement {
   #watching: AbortController | null = null;
   /** The page where this book was last closed. */
   #left: { readonly page: number; readonly anchor?: string; readonly view: Zoom } | null = null;
-  /** The page that has been set in this task; null if none has. */
-  #justSet: number | null = null;
-  /** The page of the last `pagechange`, until a page is requested. */
-  #reported: number | null = null;
   /** What is said while no book is open: why not. */
   #status: "missing" | "opening" | null = null;
   /** Whether the last book could not be opened, and no other is being read. */
   #hasFailed = false;
-  /** The state of the last `statechange`. */
-  #state: BookState = "resting";
   /** Whether the element is in a document. */
   #connected = false;
   /** What the book that opens was bound by, as text. */
@@ -192,33 +165,6 @@ export class TurnleafBook extends TearableElement {
     this.#viewer?.setPaper(this.#leaves);
   }
 
-  /**
-   * The first visible page, from 1. The attribute, the page at which the book
-   * opens, overrides the book's own opening page. Setting either turns there,
-   * as `goTo` does; a value that is not a number does nothing. Setting the page
-   * of the last `pagechange`, with none requested since, does nothing either: a
-   * page may keep its own state in step with the book, as frameworks do,
-   * without calling a turn back.
-   *
-   * @attribute page
-   * @default 1
-   */
-  get page(): number {
-    const viewer = this.#viewer;
-    return viewer ? pageOf(viewer.binding, viewer.turning.spread) : this.#firstPage();
-  }
-
-  set page(page: number) {
-    const asked = pageNumber(page);
-    if (asked === null) return;
-    // Frameworks set properties one after the other: `pages` may follow.
-    this.#justSet = asked;
-    queueMicrotask(() => {
-      this.#justSet = null;
-    });
-    if (asked !== this.#reported) void this.goTo(asked);
-  }
-
   /** Whether the visible pages are at full sharpness, set for the size in which they are shown, and nothing moves. */
   get settled(): boolean {
     return !this.#text.isPending && (this.#viewer?.settled ?? false);
@@ -242,29 +188,6 @@ export class TurnleafBook extends TearableElement {
     return this.#life.isOpening;
   }
 
-  /** The open pages, by the side they are seen on: left, or above the spine; right, or below it. */
-  get spread(): { left: number | null; right: number | null } {
-    const viewer = this.#viewer;
-    if (!viewer) return { left: null, right: null };
-    const { binding, turning } = viewer;
-    return { left: leftPage(binding, turning.spread), right: rightPage(binding, turning.spread) };
-  }
-
-  /** The reading direction: by the binding, otherwise by its source. */
-  get direction(): "ltr" | "rtl" {
-    const edge = this.#viewer?.binding.edge ?? this.getAttribute("binding");
-    return edge === "right" ? "rtl" : "ltr";
-  }
-
-  /**
-   * What happens to the leaves: nothing (`resting`); a corner is lifted under a
-   * mouse, or falls back (`lifting`); a pointer holds a leaf (`dragged`); one
-   * turns or falls (`turning`), or pages cross-fade.
-   */
-  get state(): BookState {
-    return this.#viewer?.state ?? "resting";
-  }
-
   /**
    * Where the open book lies: the rectangle around its two pages, or the one
    * that is shown alone, CSS pixels from the element's upper left corner. The
@@ -276,106 +199,6 @@ export class TurnleafBook extends TearableElement {
     const { from, to } = viewer.bounds;
     const { offsetLeft, offsetTop } = this.#tree.stage;
     return new DOMRect(from.x + offsetLeft, from.y + offsetTop, to.x - from.x, to.y - from.y);
-  }
-
-  /** The current layout: the requested one, or the one that fits the space. */
-  get shownLayout(): "spread" | "single" {
-    return this.#viewer?.binding.layout ?? "spread";
-  }
-
-  /**
-   * Turns one leaf forward from where the book will lie when all earlier
-   * requests are done: every call counts, and many in a row become one jump.
-   * Resolves, once the book is at rest, to whether it lies there or farther on;
-   * to false at the end of the book, and while no book is open.
-   */
-  next(): Promise<boolean> {
-    return this.#turn(1, "command");
-  }
-
-  /**
-   * Turns one leaf back, as `next` turns forward. Resolves to whether the book
-   * lies there or farther back.
-   */
-  previous(): Promise<boolean> {
-    return this.#turn(-1, "command");
-  }
-
-  /**
-   * Turns one leaf forward (1) or back (-1) for the reader, as by a key of the
-   * controls.
-   *
-   * @param isTap whether the reader presses something once: what a held key repeats ends soon
-   *
-   * @internal
-   */
-  press(by: 1 | -1, isTap = false): Promise<boolean> {
-    return this.#turn(by, isTap ? "tap" : "press");
-  }
-
-  /**
-   * Turns to a page (from 1, clamped to the book), or changes to it at once.
-   * Resolves, once the book is at rest, to whether it lies there. While a book
-   * is opening, that book opens there: resolves once it has, to false if it
-   * cannot be opened, or is given up without another in its place. After a book that could not be opened
-   * it resolves to false. Rejects with
-   * a `TypeError` if the page is not a number.
-   *
-   * @param options whether the book turns there with motion
-   */
-  goTo(page: number, options?: TurnOptions): Promise<boolean> {
-    const asked = pageNumber(page);
-    if (asked === null) {
-      return Promise.reject(new TypeError(`goTo takes the number of a page; ${page} is none.`));
-    }
-    this.#reported = null;
-    if (this.#viewer === undefined || this.#life.isReading) {
-      const lies = this.#asked.ask(asked);
-      // The next book opens there, but nothing is awaited where none is to come.
-      if (this.#hasFailed) this.#asked.failed();
-      return lies;
-    }
-    return this.turnTo(asked, options);
-  }
-
-  /**
-   * Turns to a page of the open book, as `goTo` does, even while another book
-   * opens: for its reader, as by a link on its pages or a line of its contents.
-   * Resolves to false while no book is open.
-   *
-   * @param options `jump` for a jump from which the reader may come back
-   *
-   * @internal
-   */
-  turnTo(page: number, options?: TurnOptions & { readonly jump?: boolean }): Promise<boolean> {
-    this.#reported = null;
-    const viewer = this.#viewer;
-    if (viewer === undefined) return Promise.resolve(false);
-    const isOpen = spreadOf(viewer.binding, page) === viewer.turning.spread;
-    if (options?.jump && !isOpen) this.jump();
-    const top = options?.top;
-    if (top !== undefined && Number.isFinite(top)) this.#life.book?.roll?.aim(page, top);
-    const spread = spreadOf(viewer.binding, page);
-    const motion = options?.motion === false ? "none" : this.motion;
-    if (motion === "turn") return viewer.commands.goTo(spread);
-    const changed = viewer.change(spread, motion === "fade");
-    this.#updateState();
-    return changed;
-  }
-
-  /**
-   * Unfolds an open page (from 1) that is clearly wider than the book, as a
-   * click on it does, or opens the folds of a page, its folded corner too, whose bookmark it
-   * removes. Resolves, once it is unfolded, to whether it is.
-   */
-  unfold(page: number): Promise<boolean> {
-    const opened = this.openFolds(page) ?? this.#viewer?.commands.unfold(page);
-    return opened ?? Promise.resolve(false);
-  }
-
-  /** Folds in the unfolded page, as any turn does first. Resolves once it is folded in. */
-  foldIn(): Promise<void> {
-    return this.#viewer?.commands.foldIn() ?? Promise.resolve();
   }
 
   /**
@@ -421,24 +244,6 @@ export class TurnleafBook extends TearableElement {
     }
   }
 
-  /**
-   * Whether a page that lies open is a fold-out, and is unfolded.
-   *
-   * @internal
-   */
-  get foldOut(): "none" | "shut" | "open" {
-    return this.#viewer?.commands.foldOut ?? "none";
-  }
-
-  /**
-   * Unfolds the open page that is a fold-out, or folds it in. Returns whether there is one.
-   *
-   * @internal
-   */
-  toggleFoldOut(): boolean {
-    return this.#viewer?.commands.toggleFoldOut() ?? false;
-  }
-
   /** The zoom level: 1 for the whole book, to 8. Setting it zooms about the middle. */
   get zoom(): number {
     return this.#viewer?.zoomLevel ?? this.#left?.view.level ?? 1;
@@ -457,7 +262,7 @@ export class TurnleafBook extends TearableElement {
     const place = at
       ? { x: at.x - offsetLeft, y: at.y - offsetTop }
       : { x: clientWidth / 2, y: clientHeight / 2 };
-    this.#viewer?.zoom(Number(level), place, place, this.#calm ? 0 : zoomSeconds);
+    this.#viewer?.zoom(Number(level), place, place, this.isCalm ? 0 : zoomSeconds);
   }
 
   /**
@@ -537,7 +342,7 @@ export class TurnleafBook extends TearableElement {
     this.#text.stop();
     this.#life.close();
     this.reportLists();
-    this.#updateState();
+    this.updateState();
   }
 
   /** @internal */
@@ -601,8 +406,8 @@ export class TurnleafBook extends TearableElement {
     return this.#asked.page ?? this.keptPage(source, this.#left?.page ?? null) ?? said;
   }
 
-  /** Returns the page at which a book opens, or would. */
-  #firstPage(source?: PageList): number {
+  /** @internal */
+  protected override firstPage(source?: PageList): number {
     const page = this.#namedPage(source) ?? 1;
     return Math.min(Math.max(Math.round(page) || 1, 1), source?.pageCount ?? page);
   }
@@ -628,45 +433,17 @@ export class TurnleafBook extends TearableElement {
     this.#controls.set(shown, this, this.#tree.frame, this.#tree.stage);
   }
 
+  /** @internal */
+  protected override openAt(page: number): Promise<boolean> | null {
+    if (this.#viewer !== undefined && !this.#life.isReading) return null;
+    const lies = this.#asked.ask(page);
+    // The next book opens there, but nothing is awaited where none is to come.
+    if (this.#hasFailed) this.#asked.failed();
+    return lies;
+  }
+
   get #leaves(): Paper {
     return { ...paperOf(this), ...this.#paper };
-  }
-
-  /** Whether the reader prefers reduced motion. */
-  get #calm(): boolean {
-    const view = this.ownerDocument.defaultView ?? window;
-    return view.matchMedia("(prefers-reduced-motion: reduce)").matches;
-  }
-
-  /** @internal */
-  protected override get motion(): "turn" | "fade" | "none" {
-    if (turnSecondsOf(this) === 0 || this.scrolled) return "none";
-    return this.#calm ? "fade" : "turn";
-  }
-
-  /** @param how whether a page's script asks for it, or the reader: by one press, or by what may be held */
-  #turn(by: 1 | -1, how: "command" | "tap" | "press"): Promise<boolean> {
-    const viewer = this.#viewer;
-    if (viewer === undefined) return Promise.resolve(false);
-    const { commands } = viewer;
-    const way = (by * forward(viewer.binding)) as 1 | -1;
-    if (this.motion === "turn")
-      return how === "command" ? commands.turn(way) : commands.press(way, how === "tap");
-    // A corner that only lifts is not a turn to go on from.
-    commands.peek(null);
-    const spread = viewer.turning.turned(way);
-    if (spread === null) return Promise.resolve(false);
-    const changed = viewer.change(spread, this.motion === "fade", way);
-    this.#updateState();
-    return changed;
-  }
-
-  /** Reports the state if it has changed. */
-  #updateState(): void {
-    const { state } = this;
-    if (state === this.#state) return;
-    this.#state = state;
-    this.emit("statechange", { state });
   }
 
   /** Opens another book in place of the open one, which stays until that has been read. */
@@ -680,7 +457,7 @@ export class TurnleafBook extends TearableElement {
       this.#asked.failed();
     } else if (!this.#life.book) this.#forget();
     // It is meant for the book that opens.
-    if (!isNone && this.#justSet !== null) void this.#asked.ask(this.#justSet);
+    if (!isNone && this.justSet !== null) void this.#asked.ask(this.justSet);
     this.#reopen();
   }
 
@@ -700,7 +477,7 @@ export class TurnleafBook extends TearableElement {
     const isNew = await loadLanguage(languageOf(this));
     if (!isNew && !isOther) return;
     this.#sayStatus();
-    this.#describe();
+    this.describe();
   }
 
   #reopen(): void {
@@ -712,7 +489,7 @@ export class TurnleafBook extends TearableElement {
     this.#sayStatus();
     if (input === "") this.#life.close();
     else this.#life.open(input, this.src);
-    this.#updateState();
+    this.updateState();
   }
 
   async #restore(source: PageList, src: string): Promise<void> {
@@ -767,13 +544,21 @@ export class TurnleafBook extends TearableElement {
     return {
       ...binding,
       paper: () => this.#leaves,
-      page: () => this.#firstPage(source),
+      page: () => this.firstPage(source),
       opensShut: () => this.#namedPage(source) === null,
       turnSeconds: () => turnSecondsOf(this),
       filmFrames: this.filmFrames,
       model: () => this,
-      onStart: (low, high, forward) => this.#started(low, high, forward),
-      onRest: (from, to) => this.#rested(from, to),
+      onStart: (low, high, forward) => {
+        if (!this.#viewer) return;
+        this.#soundAndHaptics.take();
+        this.#tree.readOn();
+        this.turnStarted(low, high, forward);
+      },
+      onRest: (from, to) => {
+        this.#soundAndHaptics.lie();
+        this.turnEnded(from, to);
+      },
       slowText: (label) => fill(elementTexts(languageOf(this)).slowPage ?? "", { label }),
       failureText: (error, page) => sentenceOf(error, languageOf(this), page),
       onFailure: (page, error, isOpen) => {
@@ -783,9 +568,9 @@ export class TurnleafBook extends TearableElement {
       },
       onPageWidth: () => this.#text.follow(),
       onLayout: () => this.#laidOut(),
-      onPage: (from, to) => this.#pageChanged(from, to, from < to ? "forward" : "backward"),
+      onPage: (from, to) => this.pageChanged(from, to, from < to ? "forward" : "backward"),
       onMotion: (...frame) => {
-        this.#updateState();
+        this.updateState();
         this.#soundAndHaptics.follow(...frame);
         this.filmed();
       },
@@ -805,12 +590,11 @@ export class TurnleafBook extends TearableElement {
     this.#asked.opened((page) => spreadOf(binding, page) === viewer.turning.spread);
     if (this.#left && !isElsewhere) viewer.view = this.#left.view;
     this.#left = null;
-    this.#reported = null;
     this.#status = null;
     this.#tree.say("");
     this.#tree.fit(viewer);
-    this.#describe();
-    this.#updateState();
+    this.describe();
+    this.turnsOpened();
     this.#follow(viewer);
     this.foldOpened();
     this.tearOpened(source);
@@ -822,31 +606,6 @@ export class TurnleafBook extends TearableElement {
     const binding = this.#binding;
     if (JSON.stringify(binding) !== this.#boundBy) viewer.rebind(binding);
     if (this.#text.isOutdated) void this.#text.setAnew();
-  }
-
-  #started(low: number, high: number, toLeft: boolean): void {
-    const binding = this.#viewer?.binding;
-    if (binding === undefined) return;
-    this.#soundAndHaptics.take();
-    this.#tree.readOn();
-    const [from, to] = toLeft ? [low, high] : [high, low];
-    const direction = directionOf(binding, from, to);
-    this.emit("turnstart", { from: pageOf(binding, from), to: pageOf(binding, to), direction });
-  }
-
-  #rested(from: number, to: number): void {
-    const binding = this.#viewer?.binding;
-    this.#soundAndHaptics.lie();
-    if (binding === undefined || from === to) return;
-    this.jumps.rested();
-    const direction = directionOf(binding, from, to);
-    this.#pageChanged(pageOf(binding, from), pageOf(binding, to), direction);
-  }
-
-  #pageChanged(from: number, to: number, direction: TurnDetail["direction"]): void {
-    this.#describe();
-    this.#reported = to;
-    this.emit("pagechange", { from, to, direction });
   }
 
   async #changePages(at: number, count: number, input: BookInput | null): Promise<boolean> {
@@ -870,7 +629,7 @@ export class TurnleafBook extends TearableElement {
   protected override pagesChanged(): void {
     if (this.#life.book === null) return;
     this.reportLists();
-    this.#describe();
+    this.describe();
     this.emit("pageschange", { pageCount: this.pageCount });
   }
 
@@ -878,13 +637,13 @@ export class TurnleafBook extends TearableElement {
     const viewer = this.#viewer;
     if (viewer === undefined) return;
     this.#tree.fit(viewer);
-    this.#describe();
+    this.describe();
     const { layout, edge } = viewer.binding;
     this.emit("layoutchange", { layout, binding: edge });
   }
 
-  /** Announces the open pages to screen readers. */
-  #describe(): void {
+  /** @internal */
+  protected override describe(): void {
     const book = this.#life.book;
     if (book === null) return;
     const text = openPages(book.source, book.viewer, languageOf(this));
@@ -899,7 +658,7 @@ export class TurnleafBook extends TearableElement {
     this.#hasFailed = true;
     this.#tree.say(detail.message, "alert", this.#life.book !== null);
     this.#asked.failed();
-    this.#updateState();
+    this.updateState();
     this.emit("error", detail);
   }
 

@@ -22,7 +22,8 @@ export type {
 export type { RecordOptions } from "./element/film_recorder.ts";
 export type { PrintOptions } from "./element/printing.ts";
 export type { SearchOptions } from "./element/reader_element.ts";
-export { TurnleafBook, type TurnOptions } from "./element.ts";
+export type { TurnOptions } from "./element/turning_element.ts";
+export { TurnleafBook } from "./element.ts";
 export type { Stock, StockFigures, Vec3 } from "./engine/shapes.ts";
 export type { TurnModelName } from "./leaf_models/model_choice.ts";
 export type { Bytes } from "./sources/input_values.ts";

@@ -6,7 +6,7 @@ import type { PageFold, PagePlace } from "./page_folds.ts";
 import { type Binding, isBoard, leafOf, paperOnLeft, rightPage } from "./spreads.ts";
 
 /** A fold of a page: a corner, or along any line; folded, or opened again, which leaves a line. */
-export type LeafFold = (DogEar | PageFold) & { readonly isOpened?: boolean };
+export type Fold = (DogEar | PageFold) & { readonly isOpened?: boolean };
 
 /**
  * Part of its angle at which a fold rests that was opened again. Smoothed by a finger, a corner
@@ -21,7 +21,7 @@ const openedPart = (180 - foldedDegrees) / foldedDegrees;
  * @param shape a page's width and height, in one unit
  */
 export function creasesOf(
-  folds: readonly LeafFold[],
+  folds: readonly Fold[],
   binding: Binding,
   shape: { readonly width: number; readonly height: number },
 ): Map<number, Crease[]> {

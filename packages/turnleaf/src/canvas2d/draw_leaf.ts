@@ -14,10 +14,10 @@ const showThrough = 0.06;
 /** A peeled leaf in the pen's own space, y down from the head. */
 interface PeeledLeaf {
   readonly page: readonly Point[];
-  readonly crease: FoldLine;
+  readonly line: FoldLine;
   /** The lifted part of the leaf, where it lay. */
   readonly lifted: readonly Point[];
-  /** How far the folded part reaches from the crease, metres. */
+  /** How far the folded part reaches from the fold, metres. */
   readonly reach: number;
   /** Height above the table: 0 when it lies on either side, 1 half-way. */
   readonly height: number;
@@ -34,12 +34,12 @@ export function drawFlat(brush: Brush, leaf: PeeledSurface, drawn: DrawnPage): v
     drawn.draw(brush);
     return;
   }
-  const { crease, reach, page } = folded;
+  const { line, reach, page } = folded;
   const height = folded.height * brush.shape.shadows;
   pen.save();
-  trace(pen, partOf(page, crease, 1));
+  trace(pen, partOf(page, line, 1));
   pen.clip();
-  across(brush, crease, Math.min(0.8 * reach, 0.4 * brush.shape.width), [
+  across(brush, line, Math.min(0.8 * reach, 0.4 * brush.shape.width), [
     [0, -0.5 * height],
     [0.2, -0.26 * height],
     [0.55, -0.09 * height],
@@ -47,7 +47,7 @@ export function drawFlat(brush: Brush, leaf: PeeledSurface, drawn: DrawnPage): v
   ]);
   pen.restore();
   pen.save();
-  trace(pen, partOf(page, crease, -1));
+  trace(pen, partOf(page, line, -1));
   pen.clip();
   drawn.draw(brush);
   pen.restore();
@@ -55,7 +55,7 @@ export function drawFlat(brush: Brush, leaf: PeeledSurface, drawn: DrawnPage): v
 
 /**
  * Draws the part of a leaf that is folded over: its other side, rounded toward
- * the crease, over its own shadow.
+ * the fold, over its own shadow.
  *
  * @param drawn the page on that side, drawn as it lies once the leaf is turned
  * @param behind the page on the side that it lay with, whose ink shows through; null for none
@@ -69,8 +69,8 @@ export function drawFolded(
   const folded = foldOf(brush, leaf);
   if (folded === null) return;
   const { pen, unit, shape } = brush;
-  const { crease, lifted, reach, height } = folded;
-  const outline = lifted.map((point) => mirrored(crease, point));
+  const { line, lifted, reach, height } = folded;
+  const outline = lifted.map((point) => mirrored(line, point));
   pen.save();
   pen.shadowColor = `rgb(29 21 14 / ${0.42 * height * shape.shadows})`;
   pen.shadowBlur = 0.13 * height * shape.width * unit;
@@ -83,7 +83,7 @@ export function drawFolded(
   trace(pen, outline);
   pen.clip();
   pen.save();
-  mirrorIn(pen, crease);
+  mirrorIn(pen, line);
   // Drawn first: the ink on this side covers it except for a trace.
   pen.save();
   pen.scale(-1, 1);
@@ -103,11 +103,11 @@ export function drawFolded(
     trace(pen, outline);
     pen.stroke();
   }
-  across(brush, crease, -reach, roundness(height * shape.shadows));
+  across(brush, line, -reach, roundness(height * shape.shadows));
   pen.restore();
 }
 
-/** Returns the light on the folded part, from the crease to its far end. */
+/** Returns the light on the folded part, from the fold to its far end. */
 function roundness(height: number): Stops {
   return [
     [0, -0.42 * height],
@@ -123,8 +123,8 @@ function roundness(height: number): Stops {
 
 function foldOf({ shape }: Brush, { side, rest, held }: PeeledSurface): PeeledLeaf | null {
   const down = ([x, y]: Point): Point => [x, shape.height - y];
-  const crease = foldLineOf(down(rest), down(held));
-  if (crease === null) return null;
+  const line = foldLineOf(down(rest), down(held));
+  if (line === null) return null;
   const sign = side === Side.right ? 1 : -1;
   const [left, top, right, bottom] = pageBox(shape, sign);
   const page: Point[] = [
@@ -133,15 +133,15 @@ function foldOf({ shape }: Brush, { side, rest, held }: PeeledSurface): PeeledLe
     [right, bottom],
     [left, bottom],
   ];
-  const lifted = partOf(page, crease, 1);
-  const reach = Math.max(0, ...lifted.map((point) => beyond(crease, point)));
+  const lifted = partOf(page, line, 1);
+  const reach = Math.max(0, ...lifted.map((point) => beyond(line, point)));
   const way = Math.hypot(rest[0] - held[0], rest[1] - held[1]) / (2 * Math.abs(rest[0]));
   const height = Math.min(1, 1.5 * Math.sin(Math.PI * Math.min(way, 1)));
-  return { page, crease, lifted, reach, height };
+  return { page, line, lifted, reach, height };
 }
 
 /**
- * Fills the clipped area with a gradient from a crease, `far` metres beyond it;
+ * Fills the clipped area with a gradient from a fold line, `far` metres beyond it;
  * negative on the other side.
  */
 function across({ pen, shape }: Brush, { at, normal }: FoldLine, far: number, stops: Stops): void {
@@ -156,7 +156,7 @@ function across({ pen, shape }: Brush, { at, normal }: FoldLine, far: number, st
   pen.restore();
 }
 
-/** Mirrors everything drawn from here on in a crease. */
+/** Mirrors everything drawn from here on in a fold line. */
 function mirrorIn(pen: CanvasRenderingContext2D, { at, normal }: FoldLine): void {
   const [nx, ny] = normal;
   const off = 2 * (at[0] * nx + at[1] * ny);

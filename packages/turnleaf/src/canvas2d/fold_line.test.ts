@@ -33,10 +33,10 @@ test("wherever it is pulled, a leaf stays at its spine", () => {
     [0.06, 0],
   ] as Point[]) {
     for (const place of places) {
-      const crease = foldLineOf(rest, withinReach(rest, place, height));
-      if (crease === null) continue;
-      expect(beyond(crease, [0, 0])).toBeLessThan(2e-4);
-      expect(beyond(crease, [0, height])).toBeLessThan(2e-4);
+      const line = foldLineOf(rest, withinReach(rest, place, height));
+      if (line === null) continue;
+      expect(beyond(line, [0, 0])).toBeLessThan(2e-4);
+      expect(beyond(line, [0, height])).toBeLessThan(2e-4);
     }
   }
 });
@@ -49,31 +49,31 @@ test("a point within reach is held where the pointer is, and lies under it", () 
     [-0.1, 0.02],
   ] as Point[]) {
     expect(withinReach(rest, place, height)).toEqual(place);
-    const crease = foldLineOf(rest, place);
-    if (crease === null) throw new Error("no crease");
-    const [x, y] = mirrored(crease, rest);
+    const line = foldLineOf(rest, place);
+    if (line === null) throw new Error("no line");
+    const [x, y] = mirrored(line, rest);
     expect(x).toBeCloseTo(place[0], 12);
     expect(y).toBeCloseTo(place[1], 12);
   }
   expect(foldLineOf(rest, rest)).toBeNull();
 });
 
-test("a crease cuts a leaf in two that make it up, and folding stretches nothing", () => {
+test("a fold line cuts a leaf in two that make it up, and folding stretches nothing", () => {
   const rest: Point = [width, 0];
   for (const place of places) {
-    const crease = foldLineOf(rest, withinReach(rest, place, height));
-    if (crease === null) continue;
-    const [lifted, flat] = [partOf(page, crease, 1), partOf(page, crease, -1)];
+    const line = foldLineOf(rest, withinReach(rest, place, height));
+    if (line === null) continue;
+    const [lifted, flat] = [partOf(page, line, 1), partOf(page, line, -1)];
     expect(area(lifted) + area(flat)).toBeCloseTo(area(page), 9);
-    const over = lifted.map((point) => mirrored(crease, point));
+    const over = lifted.map((point) => mirrored(line, point));
     expect(area(over)).toBeCloseTo(area(lifted), 9);
-    for (const point of over) expect(beyond(crease, point)).toBeLessThan(1e-9);
+    for (const point of over) expect(beyond(line, point)).toBeLessThan(1e-9);
   }
 });
 
 test("fully turned, the leaf is its own mirror image in the spine", () => {
-  const crease = foldLineOf([width, 0.03], withinReach([width, 0.03], [-width, 0.03], height));
-  expect(crease?.at[0]).toBeCloseTo(0, 9);
-  expect(crease?.normal[0]).toBeCloseTo(1, 9);
-  if (crease) expect(partOf(page, crease, 1).length).toBe(4);
+  const line = foldLineOf([width, 0.03], withinReach([width, 0.03], [-width, 0.03], height));
+  expect(line?.at[0]).toBeCloseTo(0, 9);
+  expect(line?.normal[0]).toBeCloseTo(1, 9);
+  if (line) expect(partOf(page, line, 1).length).toBe(4);
 });

@@ -1,7 +1,7 @@
 /**
  * The classic peel of a flat leaf. The held point of the leaf rests at one
  * place and is pulled to another; the leaf folds along the line half-way
- * between the two, and the part beyond that crease is mirrored in it. Lengths
+ * between the two, and the part beyond that line is mirrored in it. Lengths
  * in metres, x across the spine, y along it; the spine lies at x = 0 from y = 0
  * to `height`.
  */
@@ -43,7 +43,7 @@ export function withinReach(rest: Point, to: Point, height: number): Point {
 }
 
 /**
- * Returns the crease of a leaf held at a place, where `rest` is the resting
+ * Returns the fold line of a leaf held at a place, where `rest` is the resting
  * place of the held point; null while it rests.
  */
 export function foldLineOf(rest: Point, held: Point): FoldLine | null {
@@ -56,23 +56,23 @@ export function foldLineOf(rest: Point, held: Point): FoldLine | null {
   };
 }
 
-/** Returns how far a point is beyond a crease, on the lifted side; negative on the other. */
+/** Returns how far a point is beyond a fold line, on the lifted side; negative on the other. */
 export function beyond({ at, normal }: FoldLine, [x, y]: Point): number {
   return (x - at[0]) * normal[0] + (y - at[1]) * normal[1];
 }
 
-/** Returns a point mirrored in a crease. */
-export function mirrored(crease: FoldLine, point: Point): Point {
-  const twice = 2 * beyond(crease, point);
-  return [point[0] - twice * crease.normal[0], point[1] - twice * crease.normal[1]];
+/** Returns a point mirrored in a fold line. */
+export function mirrored(line: FoldLine, point: Point): Point {
+  const twice = 2 * beyond(line, point);
+  return [point[0] - twice * line.normal[0], point[1] - twice * line.normal[1]];
 }
 
-/** Returns the part of a convex polygon that is beyond a crease (1), or before it (-1). */
-export function partOf(polygon: readonly Point[], crease: FoldLine, side: 1 | -1): Point[] {
+/** Returns the part of a convex polygon that is beyond a fold line (1), or before it (-1). */
+export function partOf(polygon: readonly Point[], line: FoldLine, side: 1 | -1): Point[] {
   const part: Point[] = [];
   for (const [k, here] of polygon.entries()) {
     const next = polygon[(k + 1) % polygon.length];
-    const [a, b] = [side * beyond(crease, here), side * beyond(crease, next)];
+    const [a, b] = [side * beyond(line, here), side * beyond(line, next)];
     if (a >= 0) part.push(here);
     if (a * b < 0) {
       const fraction = a / (a - b);

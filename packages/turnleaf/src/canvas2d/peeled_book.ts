@@ -173,15 +173,15 @@ export class PeeledBook implements BookEngine {
   surface(index: number): PeeledSurface {
     const { id, side, fold } = this.#peels[index];
     const { width, height } = this.#size;
-    const crease = foldLineOf(fold.rest, fold.held);
+    const line = foldLineOf(fold.rest, fold.held);
     const sign = side === Side.right ? 1 : -1;
     const positions = new Float32Array(3 * columns * rows);
     for (let k = 0; k < columns * rows; k++) {
       const u = this.columns[k % columns];
       const v = Math.floor(k / columns) / (rows - 1);
       const flat: Point = [sign * u * width, v * height];
-      const isFolded = crease !== null && beyond(crease, flat) > 0;
-      const [x, y] = isFolded ? mirrored(crease, flat) : flat;
+      const isFolded = line !== null && beyond(line, flat) > 0;
+      const [x, y] = isFolded ? mirrored(line, flat) : flat;
       const arch = isFolded ? 0.001 + archFraction * Math.sqrt(Math.max(width ** 2 - x * x, 0)) : 0;
       positions.set([x, y, flatHeight + arch], 3 * k);
     }

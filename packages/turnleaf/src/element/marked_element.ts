@@ -282,7 +282,8 @@ export abstract class MarkedElement extends ReflectingElement {
   protected get homePlace(): HomePlace {
     const { source } = this;
     if (source === undefined) return { page: this.page, lists: this.#lists };
-    const home = (index: number): number | null => source.homeOf(source.pagesAt([index])[0]);
+    const home = (index: number): number | null =>
+      source.order.homeOf(source.order.pagesAt([index])[0]);
     const lists = this.addTornPages(movedLists(this.#lists, home, source.pageCount));
     // A page that was added has the place of the one before it.
     let at = this.page - 1;

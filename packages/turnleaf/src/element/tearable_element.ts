@@ -7,22 +7,11 @@ import type { PageList } from "../sources/page_list.ts";
 import type { TearOwner } from "../viewer/viewer_options.ts";
 import { placeOf } from "./fold_lists.ts";
 import type { PageLists } from "./page_lists.ts";
-import { ReaderElement } from "./reader_element.ts";
 import type { TornPages } from "./torn_pages.ts";
+import { TurningElement } from "./turning_element.ts";
 
-/** The leaves that are torn out of the element's books. A subclass opens these and turns their pages. */
-export abstract class TearableElement extends ReaderElement {
-  abstract readonly shownLayout: "spread" | "single";
-  abstract override turnTo(
-    page: number,
-    options?: { readonly motion?: boolean; readonly jump?: boolean },
-  ): Promise<boolean>;
-  /**
-   * How pages change: leaves turn, pages cross-fade, or neither.
-   *
-   * @internal
-   */
-  protected abstract get motion(): "turn" | "fade" | "none";
+/** The leaves that are torn out of the element's books. A subclass opens these. */
+export abstract class TearableElement extends TurningElement {
   /**
    * Reports that an optional part of the open book is missing.
    *

@@ -3,7 +3,8 @@
  * torn.
  */
 
-import type { ListedPages, PageList } from "../sources/page_list.ts";
+import type { PageList } from "../sources/page_list.ts";
+import type { ListedPages } from "../sources/page_order.ts";
 import { BookError } from "../sources/page_source.ts";
 import type { OpenBook } from "./open_book.ts";
 import { joinedLists, listsAmong, movedLists, type PageLists } from "./page_lists.ts";
@@ -62,7 +63,7 @@ export class TornPages {
     return this.#leaves.reduce((all, leaf) => {
       return joinedLists(
         all,
-        listsOf(leaf, (page) => source.homeOf(page)),
+        listsOf(leaf, (page) => source.order.homeOf(page)),
       );
     }, lists);
   }
@@ -71,7 +72,7 @@ export class TornPages {
   takeOut(pages: readonly number[]): number | null {
     const book = this.#host.book();
     if (book === null) return null;
-    const leaf = book.source.pagesAt(pages.map((page) => page - 1));
+    const leaf = book.source.order.pagesAt(pages.map((page) => page - 1));
     const id = ++this.#lastId;
     const lists = listsAmong(this.#host.lists, pages, book.source.pageCount);
     let isOut = false;
@@ -80,7 +81,7 @@ export class TornPages {
     const made = book.changePages(
       () => {
         keepFaces = this.#facesAfter(book.source, leaf);
-        const moved = book.source.takeOut(leaf);
+        const moved = book.source.order.takeOut(leaf);
         this.#leaves.push({ id, pages: leaf, lists, keepsFaces: keepFaces !== noFaces });
         isOut = true;
         return moved;
@@ -106,12 +107,12 @@ export class TornPages {
     let isBack = false;
     let keepFaces = noFaces;
     // Text that was set anew meanwhile may have fewer pages there.
-    const indexOf = (page: ListedPages[number]): number | null => source.indexOf(page);
+    const indexOf = (page: ListedPages[number]): number | null => source.order.indexOf(page);
     try {
       isBack = await book.changePages(
         () => {
           if (leaf.keepsFaces) keepFaces = this.#facesAfter(source, leaf.pages);
-          return source.putBack(leaf.pages);
+          return source.order.putBack(leaf.pages);
         },
         () => {
           this.#host.lists = joinedLists(this.#host.lists, listsOf(leaf, indexOf));
@@ -141,16 +142,16 @@ export class TornPages {
    * with a bare face takes two faces along, and one page.
    */
   #facesAfter(source: PageList, leaf: ListedPages): () => void {
-    const next = source.after(leaf);
+    const next = source.order.after(leaf);
     const faceOfNext = (): number | null => {
-      const index = next && source.indexOf(next);
+      const index = next && source.order.indexOf(next);
       return typeof index === "number" ? this.#host.faceOf(index + 1) : null;
     };
     const before = faceOfNext();
     if (next === undefined || before === null) return noFaces;
     return () => {
       if (faceOfNext() === before) return;
-      const page = (source.indexOf(next) ?? 0) + 1;
+      const page = (source.order.indexOf(next) ?? 0) + 1;
       const { lists } = this.#host;
       const others = lists.shifts.filter((shift) => shift !== page);
       const isShifted = others.length < lists.shifts.length;

@@ -39,7 +39,7 @@ export interface CreasedLeaves {
    */
   crease(leaf: number, creases: readonly Crease[]): boolean;
   /**
-   * Turns the rest of one of its creases to an angle, radians; the next steps fold it there.
+   * Turns the rest of one of its creases to an angle, radians; the next steps turn it there.
    * Nothing happens unless the leaf is in flight or lies uppermost.
    */
   press(leaf: number, crease: number, rest: number): void;
@@ -47,7 +47,7 @@ export interface CreasedLeaves {
   wait(seconds: number): void;
   /**
    * Returns whether a creased leaf lies uppermost on a side. Uncovered, it lies pressed flat, and
-   * steps open its folds to where they rest, also while no leaf is in flight.
+   * steps open its creases to where they rest, also while no leaf is in flight.
    */
   lies(side: Side): boolean;
 }

@@ -7,7 +7,7 @@ import type { Vec3 } from "../engine/shapes.ts";
 import type { Model } from "../model_names.ts";
 import { type LeafNodes, type LeafOptions, LooseLeaf } from "../models/models.ts";
 import type { BookPose } from "../stage/book_pose.ts";
-import { crease } from "./crease.ts";
+import { cleanFold } from "./clean_fold.ts";
 import {
   FlightModels,
   type LeafModel,
@@ -23,7 +23,7 @@ const slow = 3e-4;
 interface PulledLeaf extends PickedUpLeaf {
   readonly leaf: LooseLeaf;
   /** Normals of the points about its fold, by number. */
-  creased: ReadonlyMap<number, Vec3>;
+  foldNormals: ReadonlyMap<number, Vec3>;
 }
 
 /**
@@ -47,7 +47,7 @@ export class LooseModel implements LeafModel {
         const leaf = this.#spare.pop() ?? this.#another(taken.count);
         leaf.lay(taken.from);
         leaf.grab(taken.u, taken.v);
-        return { ...taken, leaf, creased: new Map() };
+        return { ...taken, leaf, foldNormals: new Map() };
       },
       ({ leaf }) => this.#spare.push(leaf),
     );
@@ -79,7 +79,7 @@ export class LooseModel implements LeafModel {
         this.#options.model === "mass-spring" ? 1 - lying(points, columns.length, rows, width) : 1;
       for (let i = 0; i < points.length; i++) points[i] += part * (positions[i] - points[i]);
       if (this.#folds) {
-        pulled.creased = crease(points, columns, from === "right" ? width : -width, height);
+        pulled.foldNormals = cleanFold(points, columns, from === "right" ? width : -width, height);
       }
     });
   }
@@ -95,10 +95,10 @@ export class LooseModel implements LeafModel {
   finish({ engine, turning }: ModelledBook): void {
     for (const flight of turning.flights) {
       const pulled = this.#flights.of(flight);
-      if (!pulled?.creased.size) continue;
+      if (!pulled?.foldNormals.size) continue;
       // Differences across a fold give no normal.
       const { normals } = engine.surface(turning.leaves.indexOf(flight));
-      for (const [at, normal] of pulled.creased) normals.set(normal, 3 * at);
+      for (const [at, normal] of pulled.foldNormals) normals.set(normal, 3 * at);
     }
   }
 

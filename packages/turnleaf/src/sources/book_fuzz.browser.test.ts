@@ -4,10 +4,10 @@ import { strToU8, type Zippable, zipSync } from "fflate";
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
 import { commands } from "vitest/browser";
 import { eventually } from "../for_tests/eventually.ts";
+import { sampleBooks } from "../for_tests/format_samples.ts";
 import { canvas2, canvas3, manifest2, manifest3, serve } from "../for_tests/image_server.ts";
 import { clue, fuzzed, type Random, wildPieces } from "../for_tests/random_numbers.ts";
 import { rar4, rar5, sevenZip } from "../for_tests/stored_archives.ts";
-import { tinyEpub } from "./epub/tiny_epub.ts";
 import { tinyFb2 } from "./fb2/tiny_fb2.ts";
 import { tinyKf8, tinyMobi } from "./kindle/tiny_kindle.ts";
 import { limits } from "./limits.ts";
@@ -197,10 +197,12 @@ fuzzed("a mutated EPUB is read or rejected", 10, async (random) => {
   await expectReadOrRejected(new Blob([bytes]), { name, text });
 });
 
-fuzzed("an EPUB with mutated bytes is read or rejected", 15, async (random) => {
-  const whole = tinyEpub({ chapters: ["<p>One</p>"], css: "p { color: red }" });
+fuzzed("a file of any format with mutated bytes is read or rejected", 40, async (random) => {
+  const [name, , make] = random.among(sampleBooks);
+  const book = await make();
+  const whole = typeof book === "string" ? (strToU8(book) as Uint8Array<ArrayBuffer>) : book;
   const bytes = mutateBytes(random, whole);
-  await expectReadOrRejected(new Blob([bytes]), [...bytes].join());
+  await expectReadOrRejected(new Blob([bytes]), [name, [...bytes].join()]);
 });
 
 fuzzed("a mutated comic is read or rejected", 20, async (random) => {

@@ -10,6 +10,7 @@ import { carriedName, withCarriedShorthands } from "./markup/carried_shorthands.
 import { dataPicture, isNoPicture } from "./markup/data_address.ts";
 import { errorIn, parseMarkup } from "./markup/parse_markup.ts";
 import { BookError } from "./page_source.ts";
+import { dataAddress, StyleValues } from "./style_values.ts";
 import { pixelsAttribute, styleAttribute } from "./typeset/flow_book.ts";
 import { mostNanoseconds, paintingOfDrawing, stepsOf } from "./typeset/paint_cost.ts";
 
@@ -34,9 +35,6 @@ const leastPainted = 20;
 
 /** Pixels that the blur of a chapter's shadows covers beside their boxes: as many as a picture may have. */
 const mostBlurred = limits.imagePixels;
-
-/** CSS pixels of the units in which books give shadows; others count as the largest. */
-const unitPixels: Readonly<Record<string, number>> = { px: 1, pt: 4 / 3, em: 16, rem: 16 };
 
 /** Pictures within each other. */
 const deepestPictures = 4;
@@ -78,21 +76,12 @@ const noPicture: PictureCost = { ...nothing, pixels: 0 };
 const layered =
   /(?:^|[\s;])(?:-webkit-)?(?:opacity|mask|mask-image|filter|backdrop-filter|mix-blend-mode|isolation)\s*:\s*(?!none|auto|normal|1\b)/;
 
-/** A variable of CSS, where it is used. */
-const variable = /var\(\s*(--[^\s,)]+)/g;
-
 /** Pseudo-elements, whose rules are about the elements that have them. */
 const pseudoElement = /::?(before|after|marker|first-line|first-letter)\b/g;
 
 /** A function of a filter in CSS. */
 const filterFunction =
   /\b(?:blur|drop-shadow|brightness|contrast|grayscale|hue-rotate|invert|sepia|saturate)\(/g;
-
-/** Arguments of a function, such as a colour's. */
-const functionArguments = /\([^()]*\)/g;
-
-/** A length that is not negative, as the browser writes it. */
-const positiveLength = /(?<![\w.#-])(\d{1,15}(?:\.\d{1,15})?)([a-z]{1,6})/g;
 
 /** Attributes of SVG that name what is drawn with an element. */
 const naming = [
@@ -104,8 +93,6 @@ const svg = "http://www.w3.org/2000/svg";
 const xlink = "http://www.w3.org/1999/xlink";
 
 const ownAddress = /href="#([^"]*)"|url\(\s*["']?#([^"')]*)/g;
-const dataAddress = /url\("(data:[^"]*)"\)/g;
-
 /**
  * Counts what a chapter or a drawing takes. Rejects with a `BookError` where it is
  * more than the budget.
@@ -239,7 +226,7 @@ class Count {
   #checkStyle(): void {
     const rules = this.#sheets.flatMap(rulesOf);
     this.#checkSelectors(rules);
-    const values = new Values(
+    const values = new StyleValues(
       rules,
       this.#sheets.some((css) => css.includes("attr(")) ? this.#elements : [],
     );
@@ -269,7 +256,7 @@ class Count {
     }
   }
 
-  #checkDeclarations(text: string, values: Values): void {
+  #checkDeclarations(text: string, values: StyleValues): void {
     for (const declaration of text.split(";")) {
       const at = declaration.indexOf(":");
       if (at < 0) continue;
@@ -278,7 +265,7 @@ class Count {
     }
   }
 
-  #checkValue(name: string, value: string, values: Values): void {
+  #checkValue(name: string, value: string, values: StyleValues): void {
     // Of a text that is added it matters to how many elements; of a variable, where it is used.
     if (name === "content" || name.startsWith("--")) return;
     const length = values.lengthOf(value);
@@ -373,82 +360,6 @@ class Count {
     }
     const size = await claimedSize(image);
     return { ...noPicture, pixels: size ? size.width * size.height : 0 };
-  }
-}
-
-/** The values of style sheets, with what they put in by name. */
-class Values {
-  readonly #custom = new Map<string, string[]>();
-  readonly #lengths = new Map<string, number>();
-  readonly #longestAttribute: number;
-
-  /** @param elements those whose attributes may be put in */
-  constructor(rules: readonly CSSStyleRule[], elements: readonly Element[]) {
-    for (const { style } of rules) {
-      for (const name of style) {
-        if (!name.startsWith("--")) continue;
-        const values = this.#custom.get(name) ?? [];
-        this.#custom.set(name, values);
-        values.push(style.getPropertyValue(name));
-      }
-    }
-    let longest = 0;
-    for (const { attributes } of elements) {
-      for (const { name, value } of attributes) {
-        if (!/^(src|href)$/.test(name)) longest = Math.max(longest, value.length);
-      }
-    }
-    this.#longestAttribute = longest;
-  }
-
-  /** Returns the characters of a value once what it names is put in, but for data. */
-  lengthOf(value: string): number {
-    const text = value.replace(dataAddress, "");
-    let { length } = text;
-    for (const [, name] of text.matchAll(variable)) length += this.#expanded(name ?? "");
-    return length + (text.split("attr(").length - 1) * this.#longestAttribute;
-  }
-
-  /** Returns all that the variables in a value may be, and those in these, in any order. */
-  namedIn(value: string): string {
-    const names = new Set<string>();
-    const add = (text: string): void => {
-      for (const [, name = ""] of text.matchAll(variable)) {
-        if (names.has(name)) continue;
-        names.add(name);
-        this.#custom.get(name)?.forEach(add);
-      }
-    };
-    add(value);
-    return [...names].flatMap((name) => this.#custom.get(name) ?? []).join(" ");
-  }
-
-  /** Returns how many pixels the blur of a rule's shadows covers beside each of its boxes, or words, at least. */
-  blurOf(style: CSSStyleDeclaration): number {
-    let pixels = 0;
-    for (const name of ["text-shadow", "box-shadow"]) {
-      const value = style.getPropertyValue(name);
-      if (value === "" || value === "none") continue;
-      const text = `${value} ${this.namedIn(value)}`;
-      let largest = 0;
-      for (const [, count, unit = ""] of text.matchAll(positiveLength)) {
-        largest = Math.max(largest, Number(count) * (unitPixels[unit] ?? 16));
-      }
-      // A blur reaches as far to each side as it is long.
-      pixels += text.replace(functionArguments, "").split(",").length * (2 * largest) ** 2;
-    }
-    return pixels;
-  }
-
-  #expanded(name: string): number {
-    const known = this.#lengths.get(name);
-    if (known !== undefined) return known;
-    // One that names itself has no value.
-    this.#lengths.set(name, 0);
-    const lengths = (this.#custom.get(name) ?? []).map((value) => this.lengthOf(value));
-    const length = lengths.reduce((longest, one) => Math.max(longest, one), 0);
-    this.#lengths.set(name, length);
-    return length;
   }
 }
 

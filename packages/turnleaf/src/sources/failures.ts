@@ -1,4 +1,4 @@
-/** Sentences for unforeseen errors. */
+/** Errors that books of several formats have, and sentences for unforeseen ones. */
 
 import { cleanText } from "./book_text.ts";
 import { BookError, type BookErrorDetail } from "./page_source.ts";
@@ -14,6 +14,15 @@ const messageLength = 200;
 export function nameAndMessage(error: unknown): string {
   const { details } = Object(error) as { details?: unknown };
   return cleanText(typeof details === "string" ? details : String(error), messageLength);
+}
+
+/**
+ * Returns the error of a book that is closed.
+ *
+ * @param name the book's name in sentences
+ */
+export function closedError(name: string): BookError {
+  return new BookError(`${name} is closed; open it again.`, { code: "closed", source: name });
 }
 
 /**

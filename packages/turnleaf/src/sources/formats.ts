@@ -33,6 +33,8 @@ export interface FileStart {
   readonly start: Uint8Array;
   /** The media type that its server or its owner gives; "" if none. */
   readonly type: string;
+  /** Its name, if it has one. */
+  readonly name?: string;
 }
 
 /** The first bytes of a file, as the tests of formats read them. */
@@ -104,7 +106,7 @@ const isFictionBookName = (name: string): boolean => /\.fb2$/i.test(name);
 
 /**
  * All formats. A file is of the first whose test it passes, so that a certain mark comes before what is
- * searched for, and text last.
+ * searched for, then text, and last what a name may say.
  */
 export const formats: readonly FileFormat[] = [
   image("PNG", "image/png", ["png"], at(0, "\x89PNG\r\n\x1a\n")),
@@ -161,17 +163,6 @@ export const formats: readonly FileFormat[] = [
     most: limits.archiveBytes,
   },
   {
-    kind: "zip",
-    type: "application/zip",
-    labels: ["CBZ"],
-    family: "comic",
-    endings: ["cbz"],
-    archiveEndings: ["zip"],
-    // A ZIP of no files has an end alone.
-    is: at(0, "PK\x03\x04", "PK\x05\x06"),
-    most: limits.archiveBytes,
-  },
-  {
     kind: "rar",
     type: "application/vnd.rar",
     labels: ["CBR"],
@@ -216,7 +207,7 @@ export const formats: readonly FileFormat[] = [
     type: "application/x-mobipocket-ebook",
     labels: ["MOBI", "AZW3"],
     family: "book",
-    endings: ["mobi", "azw", "azw3"],
+    endings: ["mobi", "prc", "azw", "azw3"],
     is: at(palmTypeAt, "BOOKMOBI"),
     most: limits.archiveBytes,
   },
@@ -231,7 +222,7 @@ export const formats: readonly FileFormat[] = [
     type: "application/x-fictionbook+xml",
     labels: ["FB2"],
     family: "book",
-    endings: ["fb2", "fb2.zip"],
+    endings: ["fb2", "fb2.zip", "fbz"],
     is: isFictionBook,
     isIn: (names) => names.filter(isFictionBookName).length === 1,
     most: limits.archivedBytes,
@@ -239,8 +230,12 @@ export const formats: readonly FileFormat[] = [
   {
     kind: "zip",
     type: "application/zip",
-    // Something stands before it, such as the headers of a mail.
-    is: ({ text }) => text.includes("PK\x03\x04"),
+    labels: ["CBZ"],
+    family: "comic",
+    endings: ["cbz"],
+    archiveEndings: ["zip"],
+    // Something may stand before it, such as the headers of a mail. One of no files has an end alone.
+    is: ({ text }) => text.includes("PK\x03\x04") || text.startsWith("PK\x05\x06"),
     most: limits.archiveBytes,
   },
   {
@@ -283,22 +278,24 @@ export const formats: readonly FileFormat[] = [
     is: ({ text }) => /^\0{512,}$/.test(text),
     reason: "has no pages but only zeros, as an empty tar or a file that was not fetched whole",
   },
+  // Something stands before it, of any length, as the program that unpacks it.
+  { kind: "zip", type: "application/zip", is: isNamedZip, most: limits.archiveBytes },
 ];
 
 /**
- * Returns the format of a file by its first bytes, whatever its name; null if it is none of these. The
- * media type counts only where bytes do not tell. What an archive holds is not looked at.
+ * Returns the format of a file by its first bytes; null if it is none of these. Its media type and its
+ * name count only where bytes do not tell. What an archive holds is not looked at.
  *
  * @param among the formats that it may be of
  */
 export function formatOfFile(
-  { start, type }: FileStart,
+  file: FileStart,
   among: readonly FileFormat[] = formats,
 ): FileFormat | null {
-  const first = start.subarray(0, sniffLength);
-  const text = latin1(first);
-  const file = { start: first, type, text, words: wordsOf(text) };
-  return among.find(({ is }) => is?.(file)) ?? null;
+  const start = file.start.subarray(0, sniffLength);
+  const text = latin1(start);
+  const first = { ...file, start, text, words: wordsOf(text) };
+  return among.find(({ is }) => is?.(first)) ?? null;
 }
 
 /** Returns the kind of a file, as `formatOfFile` finds it. */
@@ -400,6 +397,12 @@ function isSvg({ type, words }: FirstBytes): boolean {
     /<([\w-]+:)?svg[\s>]/i.test(words) &&
     !/<html[\s>]/i.test(words)
   );
+}
+
+/** Returns whether a name says that a file is a ZIP: a format that is in archives alone, as EPUB is, is in one. */
+function isNamedZip({ name = "" }: FirstBytes): boolean {
+  const named = archiveOfName(name) ?? formatOfName(name);
+  return named?.kind === "zip" || (named !== null && named.is === undefined);
 }
 
 /** What a FictionBook begins with, and its root. */

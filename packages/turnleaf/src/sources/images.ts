@@ -1,5 +1,6 @@
 import { nameOfUrl } from "./book_text.ts";
 import { cropImage } from "./crop_image.ts";
+import { closedError } from "./failures.ts";
 import { fetchChecked, readBounded } from "./fetch_bytes.ts";
 import { listImages } from "./formats.ts";
 import { claimedSize, kindOfFile, sizeFromHeader, typedImage } from "./image_header.ts";
@@ -111,10 +112,7 @@ export class ImageSource implements PageSource {
     if (!signal.aborted && !this.#closed) return picture;
     picture.close();
     signal.throwIfAborted();
-    throw new BookError(`${this.#book.name} is closed; open it again.`, {
-      code: "closed",
-      source: this.#book.name,
-    });
+    throw closedError(this.#book.name);
   }
 
   async text(index: number): Promise<readonly TextRun[]> {
@@ -136,7 +134,7 @@ export class ImageSource implements PageSource {
   close(): void {
     this.#closed = true;
     this.#images.clear();
-    this.#fetching.abortAll();
+    this.#fetching.abortAll(closedError(this.#book.name));
     this.#book.close?.();
   }
 

@@ -4,11 +4,9 @@ import type { Archive } from "./archive/archive.ts";
 import { type BookFile, bytesOf, fileIn, type WholeFile } from "./book_file.ts";
 import {
   archiveOfName,
-  type FileFormat,
   formatOfArchive,
   formatOfFile,
   formatOfName,
-  formats,
   type Kind,
   listFormats,
   type OpenedKind,
@@ -188,9 +186,9 @@ export function prepareFor(address: string, options: PdfOptions): void {
       .catch(() => {});
 }
 
-/** Opens a file by the format that its first bytes show, whatever its name. */
+/** Opens a file by the format that `formatOfFile` finds. */
 export async function openFile(file: BookFile, options: FormatOptions): Promise<PageSource> {
-  const format = formatOfFile(file) ?? zipByName(file.name);
+  const format = formatOfFile(file);
   const { most } = format ?? {};
   const open = format && readerOf(format.kind)?.open;
   if (open && most !== undefined) {
@@ -201,16 +199,6 @@ export async function openFile(file: BookFile, options: FormatOptions): Promise<
     code: "unsupported",
     source: file.name,
   });
-}
-
-/**
- * Returns the format of ZIPs if a name says that a file is one; null if not. What stands before a ZIP, as
- * the program that unpacks it, may be of any length.
- */
-function zipByName(name: string): FileFormat | null {
-  const kind = (formatOfName(name) ?? archiveOfName(name))?.kind;
-  const isZip = kind === "zip" || kind === "epub";
-  return isZip ? (formats.find((format) => format.kind === "zip") ?? null) : null;
 }
 
 /** Opens the book that the files of an archive are: a comic, if no format says that it is one of its own. */

@@ -119,43 +119,45 @@ test("pages that are taken out are put back, and their source stays open meanwhi
   const closed: string[] = [];
   const list = new PageList(source("a", 3, closed));
   list.splice(1, 0, source("b", 2, closed));
-  const taken = list.pagesAt([1, 2]);
-  const moved = list.takeOut(taken);
+  const taken = list.order.pagesAt([1, 2]);
+  const moved = list.order.takeOut(taken);
   expect(await pages(list)).toEqual(["a1", "a2", "a3"]);
   expect([0, 1, 2, 3].map(moved)).toEqual([0, null, null, 1]);
   expect(closed).toEqual([]);
-  const back = list.putBack(taken);
+  const back = list.order.putBack(taken);
   expect(await pages(list)).toEqual(["a1", "b1", "b2", "a2", "a3"]);
   expect([0, 1].map(back)).toEqual([0, 3]);
   // Once.
-  expect([0, 1, 2, 3, 4].map(list.putBack(taken))).toEqual([0, 1, 2, 3, 4]);
-  expect(() => list.takeOut(list.pagesAt([0, 1, 2, 3, 4]))).toThrow("A book needs a page");
+  expect([0, 1, 2, 3, 4].map(list.order.putBack(taken))).toEqual([0, 1, 2, 3, 4]);
+  expect(() => list.order.takeOut(list.order.pagesAt([0, 1, 2, 3, 4]))).toThrow(
+    "A book needs a page",
+  );
   expect(await pages(list)).toEqual(["a1", "b1", "b2", "a2", "a3"]);
-  list.takeOut(taken);
+  list.order.takeOut(taken);
   list.close();
   expect(closed.sort()).toEqual(["a", "b"]);
 });
 
 test("pages are taken out wherever they lie by then, and put back beside those that they were beside", async () => {
   const list = new PageList(source("a", 6));
-  const [leaf, other] = [list.pagesAt([4, 5]), list.pagesAt([2, 3])];
+  const [leaf, other] = [list.order.pagesAt([4, 5]), list.order.pagesAt([2, 3])];
   list.splice(5, 0, source("b", 1));
-  list.takeOut(leaf);
+  list.order.takeOut(leaf);
   expect(await pages(list)).toEqual(["a1", "a2", "a3", "a4", "b1"]);
-  list.takeOut(other);
+  list.order.takeOut(other);
   list.splice(2, 0, source("c", 1));
   expect(await pages(list)).toEqual(["a1", "a2", "c1", "b1"]);
   // What followed a page follows it, in and out; the last one that was removed counts no more.
   list.splice(1, 1, null);
-  list.putBack(other);
+  list.order.putBack(other);
   expect(await pages(list)).toEqual(["a1", "a3", "a4", "c1", "b1"]);
-  list.putBack(leaf);
+  list.order.putBack(leaf);
   expect(await pages(list)).toEqual(["a1", "a3", "a4", "a5", "c1", "b1", "a6"]);
-  expect(leaf.map((page) => list.indexOf(page))).toEqual([3, 6]);
+  expect(leaf.map((page) => list.order.indexOf(page))).toEqual([3, 6]);
   list.splice(3, 1, null);
-  list.takeOut(leaf);
+  list.order.takeOut(leaf);
   expect(await pages(list)).toEqual(["a1", "a3", "a4", "c1", "b1"]);
-  expect(() => list.takeOut(leaf)).toThrow("These pages were removed");
+  expect(() => list.order.takeOut(leaf)).toThrow("These pages were removed");
 });
 
 test("pages that are out follow a source that sets its pages anew", async () => {
@@ -166,17 +168,17 @@ test("pages that are out follow a source that sets its pages anew", async () => 
     Object.assign(set, { watchPages: (tell: typeof change) => (change = tell) }),
   );
   list.watchPages((how) => how());
-  const leaf = list.pagesAt([1, 2]);
-  const still = list.pagesAt([3]);
-  list.takeOut(leaf);
+  const leaf = list.order.pagesAt([1, 2]);
+  const still = list.order.pagesAt([3]);
+  list.order.takeOut(leaf);
   // Each page becomes two.
   change?.(() => {
     count = 8;
     return (index) => 2 * index;
   });
   expect(await pages(list)).toEqual(["a1", "a2", "a4", "a6", "a7", "a8"]);
-  expect(still.map((page) => list.indexOf(page))).toEqual([4]);
-  list.putBack(leaf);
+  expect(still.map((page) => list.order.indexOf(page))).toEqual([4]);
+  list.order.putBack(leaf);
   expect(await pages(list)).toEqual(["a1", "a2", "a3", "a4", "a5", "a6", "a7", "a8"]);
 });
 

@@ -27,10 +27,11 @@ export class SharedTasks<K, V> {
     }
   }
 
-  abortAll(): void {
+  /** Aborts all tasks. Their waiters get `reason`, or an `AbortError` if there is none. */
+  abortAll(reason?: Error): void {
     for (const [key, task] of [...this.#tasks]) {
       this.#forget(key, task);
-      task.controller.abort();
+      task.controller.abort(reason);
     }
   }
 

@@ -24,7 +24,7 @@ test("says what only a script would draw, and shows what stands there for it", a
     }),
   );
   expect(listed(source)).toEqual([
-    ["embedded", "OEBPS/scene.js", 1],
+    ["embedded", "OEBPS/first.js", 1],
     ["embedded", "OEBPS/scene.js", 2],
     ["embedded", "script", 3],
   ]);

@@ -3,7 +3,7 @@
  * folded, with an engine whose leaves can be creased.
  */
 
-import { creasesOf, type LeafFold } from "../book/creases.ts";
+import { creasesOf, type Fold } from "../book/creases.ts";
 import { leafOf, paperOnLeft } from "../book/spreads.ts";
 import { Side } from "../engine/phases.ts";
 import type { Crease } from "../engine/shapes.ts";
@@ -30,9 +30,9 @@ interface Motion {
 export class Folds {
   readonly #rebinder: Rebinder;
   readonly #begun: () => void;
-  #folds: readonly LeafFold[] = [];
+  #folds: readonly Fold[] = [];
   /** What was opened before the reader's eyes, by pages of a book of so many. */
-  #opened: readonly LeafFold[] = [];
+  #opened: readonly Fold[] = [];
   #pageCount: number;
   #motion: Motion | null = null;
   /** The last call of `fold`. */
@@ -60,15 +60,15 @@ export class Folds {
    * @param isSeen whether a leaf that lies open is seen to be folded, and what is opened keeps
    * its line
    */
-  fold(folds: readonly LeafFold[], isSeen: boolean): Promise<readonly LeafFold[] | null> {
-    const fold = (): Promise<readonly LeafFold[] | null> => this.#fold(folds, isSeen);
+  fold(folds: readonly Fold[], isSeen: boolean): Promise<readonly Fold[] | null> {
+    const fold = (): Promise<readonly Fold[] | null> => this.#fold(folds, isSeen);
     // One after another: each begins from what the one before it leaves.
     const folded = this.#last.then(fold, fold);
     this.#last = folded;
     return folded;
   }
 
-  async #fold(folds: readonly LeafFold[], isSeen: boolean): Promise<readonly LeafFold[] | null> {
+  async #fold(folds: readonly Fold[], isSeen: boolean): Promise<readonly Fold[] | null> {
     if (!this.#rebinder.bound.engine.creases) {
       await new Promise<void>((bound) => this.#waiting.push(bound));
     }
@@ -97,7 +97,7 @@ export class Folds {
   }
 
   /** Takes over the folds of pages that lie elsewhere once the book is bound anew. */
-  keep(folds: readonly LeafFold[]): void {
+  keep(folds: readonly Fold[]): void {
     this.#folds = folds;
   }
 
@@ -150,7 +150,7 @@ export class Folds {
     for (const done of this.#waiting.splice(0)) done();
   }
 
-  #leafOf({ page }: LeafFold): number {
+  #leafOf({ page }: Fold): number {
     const { binding } = this.#rebinder.bound;
     return paperOnLeft(binding, leafOf(binding, page));
   }
@@ -242,6 +242,6 @@ export class Folds {
   }
 }
 
-const isSameFold = (a: LeafFold, b: LeafFold): boolean => JSON.stringify(a) === JSON.stringify(b);
+const isSameFold = (a: Fold, b: Fold): boolean => JSON.stringify(a) === JSON.stringify(b);
 const line = ({ through }: Crease): string => through.join();
 const key = (crease: Crease): string => `${line(crease)} ${crease.rest}`;

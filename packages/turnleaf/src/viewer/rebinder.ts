@@ -1,6 +1,6 @@
 /** Binds one book: at first, and again when its pages or its options change. */
 
-import type { LeafFold } from "../book/creases.ts";
+import type { Fold } from "../book/creases.ts";
 import type { LayoutLists } from "../book/moved_lists.ts";
 import { applyPaper, type Paper, scaleOf } from "../book/paper.ts";
 import { type Binding, type Layout, pageOf, pagesAt, spineOf, spreadOf } from "../book/spreads.ts";
@@ -25,7 +25,7 @@ export interface MovedPages {
   /** The options of the layout that name pages, by their numbers of now. */
   readonly lists: LayoutLists;
   /** The folds of pages, likewise. */
-  readonly folds: readonly LeafFold[];
+  readonly folds: readonly Fold[];
 }
 
 /** The dependencies of a rebinder. */

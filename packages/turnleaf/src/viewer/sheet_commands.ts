@@ -1,6 +1,6 @@
 /** What a book is commanded beside turns: its leaves are folded, torn out, and torn further. Loads what does it. */
 
-import type { LeafFold } from "../book/creases.ts";
+import type { Fold } from "../book/creases.ts";
 import type { PagePlace } from "../book/page_folds.ts";
 import { isCover, leafOf, pagesAt } from "../book/spreads.ts";
 import type { TearLine } from "../engine/shapes.ts";
@@ -62,7 +62,7 @@ export class SheetCommands {
    *
    * @param isSeen whether a leaf that lies open is seen to be folded
    */
-  async fold(folds: readonly LeafFold[], isSeen: boolean): Promise<readonly LeafFold[] | null> {
+  async fold(folds: readonly Fold[], isSeen: boolean): Promise<readonly Fold[] | null> {
     this.#folds ??= this.#loadFolds();
     const loaded = await this.#folds;
     if (this.#closed || loaded === null) return null;
@@ -76,7 +76,7 @@ export class SheetCommands {
   }
 
   /** Takes over the folds of pages that lie elsewhere: the book is about to be bound anew by them. */
-  keepFolds(folds: readonly LeafFold[]): void {
+  keepFolds(folds: readonly Fold[]): void {
     this.#loadedFolds?.keep(folds);
   }
 

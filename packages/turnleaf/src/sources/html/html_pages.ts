@@ -1,7 +1,7 @@
 /** Elements of a web page as the pages of a book: shown live at rest, a picture of each while it turns. */
 
 import { cleanLanguage, cleanText } from "../book_text.ts";
-import { unknownFailure } from "../failures.ts";
+import { closedError, unknownFailure } from "../failures.ts";
 import { limits, wholePage } from "../limits.ts";
 import {
   BookError,
@@ -199,11 +199,7 @@ export class HtmlPages implements PageSource {
   }
 
   #throwIfClosed(): void {
-    if (this.#ended.signal.aborted)
-      throw new BookError(`${this.title} is closed; open it again.`, {
-        code: "closed",
-        source: this.title,
-      });
+    if (this.#ended.signal.aborted) throw closedError(this.title);
   }
 
   #copyOf(page: HTMLElement, name: string): Promise<FrozenCopy> {

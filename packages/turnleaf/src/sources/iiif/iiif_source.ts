@@ -1,5 +1,6 @@
 /** Books by IIIF: pages whose images a server sends in the size that is wanted. */
 
+import { closedError } from "../failures.ts";
 import { fetchChecked, readBounded } from "../fetch_bytes.ts";
 import { claimedSize, sizeFromHeader } from "../image_header.ts";
 import { fitPixels, limits, wholePage } from "../limits.ts";
@@ -162,7 +163,7 @@ class IiifSource implements PageSource {
     this.#closed = true;
     this.#images.clear();
     this.#infos.clear();
-    this.#fetching.abortAll();
+    this.#fetching.abortAll(closedError(this.#book.name));
   }
 
   /** Returns a page once all that is painted on it is known, and its size. Rejects as `draw` does. */

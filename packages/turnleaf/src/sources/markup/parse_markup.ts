@@ -17,7 +17,12 @@ const ownStyle = /(<[a-z][^<>]*?\s)style(?=\s*=)/gi;
  * member of it. The elements' own styles are in `styleAttribute`.
  */
 export function parseMarkup(text: string, type: MarkupType): Document {
-  const markup = withBoundedTags(text).replace(ownStyle, `$1${styleAttribute}`);
+  return parseBounded(withBoundedTags(text), type);
+}
+
+/** As `parseMarkup`, of text that `withBoundedTags` has returned. */
+export function parseBounded(text: string, type: MarkupType): Document {
+  const markup = text.replace(ownStyle, `$1${styleAttribute}`);
   const document = new DOMParser().parseFromString(trustedMarkup(markup), type);
   removeClobberingNames(document);
   return document;

@@ -2,7 +2,7 @@
 
 import { loadPart } from "../load_part.ts";
 import { withBoundedTags } from "./bounded_tags.ts";
-import { errorIn, type MarkupType, parseMarkup } from "./parse_markup.ts";
+import { errorIn, type MarkupType, parseBounded, parseMarkup } from "./parse_markup.ts";
 
 const xhtml = "http://www.w3.org/1999/xhtml";
 
@@ -32,7 +32,7 @@ export async function readMarkup(
   type: Exclude<MarkupType, "text/html">,
 ): Promise<ReadMarkup> {
   const text = withBoundedTags(source.replace(windowsLetters, letterOf));
-  const document = parseMarkup(text, type);
+  const document = parseBounded(text, type);
   const error = errorIn(document);
   const isHtml = type === "application/xhtml+xml";
   if (error === null && !(isHtml && isForeign(document.documentElement))) return { document, text };
@@ -45,7 +45,7 @@ export async function readMarkup(
       return { document: whole, text: repaired.xml, ...(repaired.isCutOff ? damaged : {}) };
     }
   }
-  return { document: isHtml ? parseMarkup(text, "text/html") : document, text, ...damaged };
+  return { document: isHtml ? parseBounded(text, "text/html") : document, text, ...damaged };
 }
 
 /** Returns the letter that a control character, or a reference to one, stands for. */

@@ -5,7 +5,8 @@ import { divide } from "./divide.ts";
 import { type FlowBook, isAllText } from "./flow_book.ts";
 import type { FlowWarnings } from "./flow_warnings.ts";
 import { LaidChapter } from "./laid_chapter.ts";
-import { LaidSection, OverpaintedError, type SectionMap } from "./laid_section.ts";
+import { LaidSection } from "./laid_section.ts";
+import { OverpaintedError, type SectionMap } from "./lay_section.ts";
 import {
   areAlike,
   estimatePages,

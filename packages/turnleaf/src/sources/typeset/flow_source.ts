@@ -1,4 +1,5 @@
 import { cleanAddress, cleanText } from "../book_text.ts";
+import { closedError } from "../failures.ts";
 import { limits, wholePage } from "../limits.ts";
 import {
   type BookDetail,
@@ -26,7 +27,7 @@ import { FlowWarnings } from "./flow_warnings.ts";
 import type { LaidChapter } from "./laid_chapter.ts";
 import { Narrator } from "./narrator.ts";
 import type { NumberedPages } from "./numbered_pages.ts";
-import { type CountedBook, closedError, nearSections, PageCounter } from "./page_counter.ts";
+import { type CountedBook, nearSections, PageCounter } from "./page_counter.ts";
 import { openingRead, SectionLengths } from "./page_estimate.ts";
 import { leafOf, mayFace, paperback } from "./page_measures.ts";
 import type { SectionPage } from "./page_numbers.ts";
@@ -240,7 +241,7 @@ export class FlowSource implements PageSource {
     const others = this.#recent.filter((other) => other !== section);
     this.#recent = [section, ...others].slice(0, nearSections);
     const { laid, page } = await this.#layPage(index, signal);
-    if (this.#counter.isClosed) throw closedError(this.#book);
+    if (this.#counter.isClosed) throw closedError(this.#book.name);
     laid.mark(this.narration?.markIn(section) ?? null);
     const size = laid.layoutSize;
     // Its pages were estimated.
@@ -269,7 +270,7 @@ export class FlowSource implements PageSource {
     if (!signal.aborted && !this.#counter.isClosed) return picture;
     picture.close();
     signal.throwIfAborted();
-    throw closedError(this.#book);
+    throw closedError(this.#book.name);
   }
 
   async text(index: number, signal: AbortSignal, exact = false): Promise<readonly TextRun[]> {
@@ -288,7 +289,7 @@ export class FlowSource implements PageSource {
           edition.measure(section).catch(() => {}),
           signal,
         );
-        if (this.#counter.isClosed) throw closedError(this.#book);
+        if (this.#counter.isClosed) throw closedError(this.#book.name);
         const map = edition.mapOf(section);
         if (map === undefined) continue;
         for (let page = pageOfPlace(place, map); page < map.pageCount; page++) {
@@ -418,7 +419,7 @@ export class FlowSource implements PageSource {
 
   /** Returns which page a page is. */
   #at(index: number): SectionPage {
-    if (this.#counter.isClosed) throw closedError(this.#book);
+    if (this.#counter.isClosed) throw closedError(this.#book.name);
     if (!(index >= 0 && index < this.pageCount)) {
       throw new BookError(`${this.#book.name} has no page ${index + 1}; turn to another.`, {
         code: "noPage",
@@ -460,7 +461,7 @@ export class FlowSource implements PageSource {
       return await this.#edition.lay(section, signal);
     } catch (error) {
       signal.throwIfAborted();
-      throw this.#counter.isClosed ? closedError(this.#book) : error;
+      throw this.#counter.isClosed ? closedError(this.#book.name) : error;
     }
   }
 

@@ -4,7 +4,7 @@ import { cleanAddress } from "../book_text.ts";
 import type { BookError, BookWarning } from "../page_source.ts";
 import { joinedWarnings, warningOf } from "../warnings.ts";
 import type { FlowBook, FlowOutline, FlowTarget } from "./flow_book.ts";
-import type { SectionMap } from "./laid_section.ts";
+import type { SectionMap } from "./lay_section.ts";
 
 /** Returns the page (from 1 of the book) of a page of a section (from 0). */
 type PageOf = (section: number, page: number) => number;

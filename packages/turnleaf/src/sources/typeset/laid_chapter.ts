@@ -6,9 +6,9 @@ import {
   type LaidMedium,
   LaidSection,
   type Passage,
-  type SectionMap,
   type SpokenMark,
 } from "./laid_section.ts";
+import type { SectionMap } from "./lay_section.ts";
 import type { PageMargins } from "./markup.ts";
 import type { TitleFace } from "./title_font.ts";
 

@@ -4,6 +4,7 @@
  * numbers change, or another typography is chosen, the new ones are announced.
  */
 
+import { closedError } from "../failures.ts";
 import { BookError, type NewIndex, type Typography } from "../page_source.ts";
 import { orAborted } from "../shared_tasks.ts";
 import { Edition } from "./edition.ts";
@@ -43,11 +44,6 @@ export interface CounterHooks {
   readonly renumbering: () => void;
   /** They have; null if all of them are to be drawn anew. */
   readonly renumbered: (moved: NewIndex | null) => void;
-}
-
-/** Returns the error of a book that is closed. */
-export function closedError({ name }: Pick<FlowBook, "name">): BookError {
-  return new BookError(`${name} is closed; open it again.`, { code: "closed", source: name });
 }
 
 /** Counts the pages of one book. */
@@ -112,7 +108,7 @@ export class PageCounter {
       // A section that cannot be laid out says so on its page.
       if (place) await edition.measure(place.section).catch(() => {});
     }
-    if (this.isClosed) throw closedError(this.#book);
+    if (this.isClosed) throw closedError(this.#book.name);
     if (this.#listener === null) this.#change();
     else if (places.some((place) => place && !this.pages.numbers.isKnown(place.section)))
       this.announce();
@@ -125,7 +121,7 @@ export class PageCounter {
     do {
       counted = this.#counting;
       await (signal ? orAborted(counted, signal) : counted);
-      if (this.isClosed) throw closedError(this.#book);
+      if (this.isClosed) throw closedError(this.#book.name);
       if (this.#listener === null && this.#isDue) this.#change();
     } while (counted !== this.#counting);
   }

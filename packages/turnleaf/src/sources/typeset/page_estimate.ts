@@ -2,7 +2,7 @@
 
 import type { Typography } from "../page_source.ts";
 import type { FlowSection } from "./flow_book.ts";
-import type { SectionMap } from "./laid_section.ts";
+import type { SectionMap } from "./lay_section.ts";
 import { measuresOf, usualType } from "./page_measures.ts";
 
 /** Letters of a line of print in which sections are measured: those of a page of usual type. */

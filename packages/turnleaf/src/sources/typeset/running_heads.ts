@@ -2,7 +2,7 @@
 
 import { cleanText } from "../book_text.ts";
 import type { FlowBook, FlowOutline, FlowTarget } from "./flow_book.ts";
-import type { SectionMap } from "./laid_section.ts";
+import type { SectionMap } from "./lay_section.ts";
 import type { PageMargins } from "./markup.ts";
 
 /** How deep lines of the contents may lie that become running heads: parts and chapters. */

@@ -1,6 +1,6 @@
 /** Places in a book of flowing text, whatever the size in which it is set, and the anchors that name them. */
 
-import type { SectionMap } from "./laid_section.ts";
+import type { SectionMap } from "./lay_section.ts";
 
 /** A place in a section. */
 export interface TextPlace {

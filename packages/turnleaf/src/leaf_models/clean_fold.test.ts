@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { crease } from "./crease.ts";
+import { cleanFold } from "./clean_fold.ts";
 
 const columns = Float32Array.from({ length: 9 }, (_, k) => k / 8);
 const rows = 5;
@@ -24,7 +24,7 @@ test.for([0.15, -0.15])(
   "of a leaf %f m wide the fold is a line, and light sees the side that shows",
   (width) => {
     const points = folded(width);
-    const normals = crease(points, columns, width, height);
+    const normals = cleanFold(points, columns, width, height);
     const recto = width > 0 ? -1 : 1;
     let onFold = 0;
     for (let at = 0; at < columns.length * rows; at++) {
@@ -50,6 +50,6 @@ test("a leaf that is not folded has no fold", () => {
   const points = folded(0.15);
   for (let at = 0; at < points.length / 3; at++) points[3 * at] = columns[at % 9] * 0.15;
   const before = points.slice();
-  expect(crease(points, columns, 0.15, height).size).toBe(0);
+  expect(cleanFold(points, columns, 0.15, height).size).toBe(0);
   expect(points).toEqual(before);
 });

@@ -24,7 +24,7 @@ const round = 0.75;
  * @returns the normal of each point at the fold by its number, on the recto's
  * side
  */
-export function crease(
+export function cleanFold(
   points: Float32Array,
   columns: Float32Array,
   width: number,

@@ -1,0 +1,324 @@
+/** The pages of a PDF, as pdf.js reads and draws them. */
+
+import type { PDFDocumentProxy, PDFPageProxy } from "pdfjs-dist";
+import { cleanText } from "./book_text.ts";
+import { closedError, unknownFailure } from "./failures.ts";
+import { fitPixels, isPageSize, limits, wholePage } from "./limits.ts";
+import {
+  type BookDetail,
+  BookError,
+  type BookWarning,
+  type OutlineEntry,
+  type PageBox,
+  type PageField,
+  type PageLink,
+  type PagePicture,
+  type PageSize,
+  type PageSource,
+  type TextRun,
+} from "./page_source.ts";
+import { altOfPage } from "./pdf_alt.ts";
+import { linksOfPage, type PdfForm } from "./pdf_annotations.ts";
+import { coverPixels, coverTime, isCover } from "./pdf_cover.ts";
+import { isDamage, isUnreachable, remedy, sentenceFor } from "./pdf_failures.ts";
+import { lettersOfPage } from "./pdf_letters.ts";
+import { bareMarksOf, drawMarks, notesOfPage, playedOnPage } from "./pdf_marks.ts";
+import { outlineOf, type PdfTargets } from "./pdf_targets.ts";
+import { textOfPage } from "./pdf_text.ts";
+import type { PdfThread } from "./pdf_thread.ts";
+import { orAborted } from "./shared_tasks.ts";
+import { lostLines, WarningList, warningOf } from "./warnings.ts";
+
+/** Pages whose parsed content is kept, so that drawing them sharper is quick. */
+const keptPages = 6;
+
+/** The properties of an open document. */
+export interface PdfDescription {
+  readonly name: string;
+  readonly document: PDFDocumentProxy;
+  readonly title: string;
+  readonly language: string;
+  readonly direction: "ltr" | "rtl";
+  readonly details: readonly BookDetail[];
+  readonly labels: readonly string[] | null;
+  readonly openingPage: number;
+  readonly allows: { readonly print: boolean; readonly copy: boolean };
+  readonly targets: PdfTargets;
+  readonly form: PdfForm;
+}
+
+const pointsInInch = 72;
+const metresInInch = 0.0254;
+
+/** A PDF that is open. */
+export class PdfSource implements PageSource {
+  readonly title: string;
+  readonly details: readonly BookDetail[];
+  readonly language: string;
+  readonly direction: "ltr" | "rtl";
+  readonly pageCount: number;
+  readonly openingPage: number;
+  readonly allows: { readonly print: boolean; readonly copy: boolean };
+  readonly kind = "typeset";
+  /**
+   * Without a cover it is an article, a form, a letter: a document without boards. With one it is a whole
+   * book, whose second page is on the back of the cover: its even pages are versos.
+   */
+  cover: "none" | undefined = "none";
+  readonly #thread: PdfThread;
+  readonly #name: string;
+  readonly #document: PDFDocumentProxy;
+  readonly #labels: readonly string[] | null;
+  readonly #targets: PdfTargets;
+  readonly #form: PdfForm;
+  readonly #warnings = new WarningList();
+  readonly #stop: () => void;
+  /** Pages in the order in which they were last drawn. */
+  readonly #drawn = new Map<number, PDFPageProxy>();
+  #closed = false;
+
+  constructor(thread: PdfThread, description: PdfDescription, stop: () => void) {
+    this.title = description.title;
+    this.language = description.language;
+    this.details = description.details;
+    this.direction = description.direction;
+    this.pageCount = description.document.numPages;
+    this.openingPage = description.openingPage;
+    this.allows = description.allows;
+    this.#thread = thread;
+    this.#name = description.name;
+    this.#document = description.document;
+    this.#labels = description.labels;
+    this.#targets = description.targets;
+    this.#form = description.form;
+    this.#stop = stop;
+  }
+
+  /**
+   * Looks whether the first page is a cover, at the cost of a small picture of it; one that takes longer
+   * than a reader waits for a book to open is none. Rejects with the signal's reason.
+   */
+  async findCover(signal: AbortSignal): Promise<void> {
+    if (this.pageCount < 2) return;
+    const inTime = AbortSignal.any([signal, AbortSignal.timeout(coverTime)]);
+    try {
+      const page = await this.#page(0, inTime);
+      const small = await this.#render(page, 0, coverPixels, wholePage, inTime);
+      const { width, height } = small;
+      const pen = new OffscreenCanvas(width, height).getContext("2d");
+      pen?.drawImage(small, 0, 0);
+      small.close();
+      const pixels = pen?.getImageData(0, 0, width, height).data;
+      if (pixels && isCover({ width, height }, pixels)) this.cover = undefined;
+    } catch {
+      // A page that cannot be drawn says so in its place.
+      signal.throwIfAborted();
+    }
+  }
+
+  colouring(index: number): "print" | "picture" {
+    return index === 0 && this.cover === undefined ? "picture" : "print";
+  }
+
+  get warnings(): readonly BookWarning[] {
+    return this.#warnings.all;
+  }
+
+  watchWarnings(listener: () => void): void {
+    this.#warnings.watch(listener);
+  }
+
+  async size(index: number, signal?: AbortSignal): Promise<PageSize> {
+    return this.#sizeOf(await this.#page(index, signal), index);
+  }
+
+  widthInMetres(size: PageSize): number {
+    return (size.width / pointsInInch) * metresInInch;
+  }
+
+  label(index: number): string {
+    return cleanText(this.#labels?.[index], limits.labelLength) || String(index + 1);
+  }
+
+  async draw(
+    index: number,
+    width: number,
+    signal: AbortSignal,
+    region: PageBox = wholePage,
+  ): Promise<PagePicture> {
+    const page = await this.#page(index, signal);
+    for (let isFirst = true; ; isFirst = false) {
+      try {
+        const bitmap = await this.#render(page, index, width, region, signal);
+        this.#keep(index, page);
+        return bitmap;
+      } catch (error) {
+        // pdf.js's worker may drop a drawing while it frees what other drawings of the page used.
+        if (!isFirst || signal.aborted) throw this.#failureOf(error, index, signal);
+      }
+    }
+  }
+
+  /** Draws a part of a page once. Rejects with the error of pdf.js. */
+  async #render(
+    page: PDFPageProxy,
+    index: number,
+    width: number,
+    region: PageBox,
+    signal: AbortSignal,
+  ): Promise<ImageBitmap> {
+    const size = this.#sizeOf(page, index);
+    const part = { width: size.width * region.width, height: size.height * region.height };
+    const pixels = fitPixels(part, width);
+    const canvas = new OffscreenCanvas(pixels.width, pixels.height);
+    const scale = pixels.width / part.width;
+    const offsetX = -region.x * size.width * scale;
+    const offsetY = -region.y * size.height * scale;
+    const modes = this.#thread.pdfjs.AnnotationMode;
+    const task = page.render({
+      canvas: canvas as unknown as HTMLCanvasElement,
+      viewport: page.getViewport({ scale, offsetX, offsetY }),
+      annotationMode: this.#form.isFilled ? modes.ENABLE_STORAGE : modes.ENABLE,
+    });
+    const cancel = (): void => task.cancel();
+    signal.addEventListener("abort", cancel, { once: true });
+    try {
+      const [marks] = await this.#thread.orFailed(Promise.all([bareMarksOf(page), task.promise]));
+      signal.throwIfAborted();
+      if (marks.length > 0) {
+        const pen = canvas.getContext("2d") as OffscreenCanvasRenderingContext2D;
+        drawMarks(pen, page, marks, new DOMMatrix([scale, 0, 0, scale, offsetX, offsetY]));
+      }
+      return canvas.transferToImageBitmap();
+    } catch (error) {
+      cancel();
+      throw error;
+    } finally {
+      signal.removeEventListener("abort", cancel);
+      canvas.width = canvas.height = 0;
+    }
+  }
+
+  async text(index: number, signal: AbortSignal, exact = false): Promise<readonly TextRun[]> {
+    return await this.#read(index, signal, (page) => {
+      const letters = exact ? () => lettersOfPage(this.#thread.pdfjs, page) : undefined;
+      return textOfPage(page, signal, letters);
+    });
+  }
+
+  async alt(index: number, signal: AbortSignal): Promise<string> {
+    return await this.#read(index, signal, altOfPage);
+  }
+
+  async links(index: number, signal: AbortSignal): Promise<readonly PageLink[]> {
+    return await this.#read(index, signal, async (page) => {
+      const played = await playedOnPage(page);
+      const warnings = played.map((one) => warningOf("medium", one, this.#name));
+      this.#warnings.add(...warnings.map((warning) => ({ ...warning, page: index + 1 })));
+      return [...(await linksOfPage(page, this.#targets)), ...(await notesOfPage(page))];
+    });
+  }
+
+  async fields(index: number, signal: AbortSignal): Promise<readonly PageField[]> {
+    return await this.#read(index, signal, (page) => this.#form.fieldsOf(page));
+  }
+
+  fill(_index: number, name: string, value: string): void {
+    if (!this.#closed) this.#form.fill(name, value);
+  }
+
+  async outline(signal: AbortSignal): Promise<readonly OutlineEntry[]> {
+    const outline = this.#thread.orFailed(outlineOf(this.#document, this.#targets));
+    try {
+      const lines = await orAborted(outline, signal);
+      this.#warnings.add(...lostLines(lines, this.#name));
+      return lines;
+    } catch (error) {
+      signal.throwIfAborted();
+      throw sentenceFor(this.#thread.pdfjs, error, this.#name);
+    }
+  }
+
+  async file(): Promise<Blob> {
+    const document = this.#document;
+    const bytes = this.#form.isFilled ? document.saveDocument() : document.getData();
+    try {
+      const file = (await this.#thread.orFailed(bytes)) as Uint8Array<ArrayBuffer>;
+      return new Blob([file], { type: "application/pdf" });
+    } catch (error) {
+      throw sentenceFor(this.#thread.pdfjs, error, this.#name);
+    }
+  }
+
+  close(): void {
+    if (this.#closed) return;
+    this.#closed = true;
+    this.#drawn.clear();
+    // A worker that ends sends nothing more to those that wait.
+    this.#thread.giveUp(closedError(this.#name));
+    this.#stop();
+  }
+
+  /** Returns the result of `read` on a page. Rejects as `draw` does. */
+  async #read<T>(
+    index: number,
+    signal: AbortSignal,
+    read: (page: PDFPageProxy) => Promise<T>,
+  ): Promise<T> {
+    const page = await this.#page(index, signal);
+    try {
+      return await orAborted(this.#thread.orFailed(read(page)), signal);
+    } catch (error) {
+      throw this.#failureOf(error, index, signal);
+    }
+  }
+
+  #sizeOf(page: PDFPageProxy, index: number): PageSize {
+    const { width, height } = page.getViewport({ scale: 1 });
+    if (isPageSize({ width, height })) return { width, height };
+    throw new BookError(`Page ${index + 1} of ${this.#name} has no usable size; repair the file.`, {
+      code: "damaged",
+      page: index + 1,
+      source: this.#name,
+    });
+  }
+
+  async #page(index: number, signal?: AbortSignal): Promise<PDFPageProxy> {
+    signal?.throwIfAborted();
+    if (this.#closed) throw closedError(this.#name);
+    try {
+      const page = this.#thread.orFailed(this.#document.getPage(index + 1));
+      return await (signal ? orAborted(page, signal) : page);
+    } catch (error) {
+      throw this.#failureOf(error, index, signal);
+    }
+  }
+
+  /** Frees the parsed content of the page drawn longest ago. */
+  #keep(index: number, page: PDFPageProxy): void {
+    this.#drawn.delete(index);
+    this.#drawn.set(index, page);
+    for (const [oldest, old] of this.#drawn) {
+      if (this.#drawn.size <= keptPages) break;
+      this.#drawn.delete(oldest);
+      old.cleanup();
+    }
+  }
+
+  /** Returns the signal's reason, or the error for page `index`. */
+  #failureOf(error: unknown, index: number, signal?: AbortSignal): unknown {
+    if (signal?.aborted) return signal.reason;
+    if (error instanceof BookError) return error;
+    const { pdfjs } = this.#thread;
+    const page = `Page ${index + 1} of ${this.#name}`;
+    const detail = { page: index + 1, source: this.#name };
+    if (isDamage(pdfjs, error)) {
+      const sentence = `${page} is damaged and cannot be drawn; repair the file or get it again.`;
+      return new BookError(sentence, { ...detail, code: "damaged", cause: error });
+    }
+    if (error instanceof pdfjs.ResponseException || isUnreachable(error)) {
+      return sentenceFor(pdfjs, error, this.#name);
+    }
+    return unknownFailure(`${page} cannot be drawn`, error, remedy, detail);
+  }
+}
