@@ -11,6 +11,8 @@ const rows = ":scope > mrow, :scope > mstyle, :scope > semantics";
 /** Makes all formulas in a section's body, laid out, as wide as what is around them lets them be. */
 export function fitFormulas(body: Element, isVertical: boolean): void {
   const view = body.ownerDocument.defaultView as Window;
+  const wide: { math: HTMLElement; size: number; type: number }[] = [];
+  // All are measured before any is changed: after a change the browser lays out the whole section.
   for (const math of body.querySelectorAll<HTMLElement>("math")) {
     const [own, room] = [math, boxAround(math)].map((element) => {
       // One rectangle for each page that it is on.
@@ -19,9 +21,12 @@ export function fitFormulas(body: Element, isVertical: boolean): void {
       );
       return Math.max(...lengths, 0);
     }) as [number, number];
-    if (room === 0 || widthIn(math, own, isVertical) <= room + tolerance) continue;
+    const width = widthIn(math, own, isVertical);
+    if (room === 0 || width <= room + tolerance) continue;
     const type = Number.parseFloat(view.getComputedStyle(math).fontSize);
-    const size = room / widthIn(math, own, isVertical);
+    wide.push({ math, size: room / width, type });
+  }
+  for (const { math, size, type } of wide) {
     setStyles(math, { "font-size": `${type * Math.max(size, smallest)}px` });
     if (size < smallest) breakUp(math);
   }
