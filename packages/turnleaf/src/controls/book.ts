@@ -85,6 +85,8 @@ export interface ControlledBook<Hit extends FoundPlace = FoundPlace> extends HTM
     query: string,
     options?: { signal?: AbortSignal; onHits?: (hits: readonly Hit[]) => void },
   ): Promise<readonly Hit[]>;
+  /** Whether there may be text in the book; known once it has been searched. */
+  readonly mayHaveText: boolean;
   showHit(hit: Hit | null): Promise<boolean>;
   outline(): Promise<readonly OutlineEntry[]>;
   drawPage(page: number, width: number, signal?: AbortSignal): Promise<PagePicture>;

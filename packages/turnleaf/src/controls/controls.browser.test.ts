@@ -314,6 +314,10 @@ test("a search lists its places with what stands about them, and counts them", a
   named(root, "Search").click();
   await userEvent.keyboard("shark{Enter}");
   await eventually(status).toBe("Nothing found.");
+  // In a book of pictures the reader learns why.
+  book.mayHaveText = false;
+  await userEvent.keyboard("{Enter}");
+  await eventually(status).toMatch(/pictures, without text/);
 });
 
 test("bookmarks are listed in the book's order and can be taken off", async () => {

@@ -116,7 +116,11 @@ export class SearchTab<Hit extends FoundPlace> implements PanelTab {
       this.#hits = [...hits];
       if (!isInOrder) this.#clear();
       this.#list();
-      this.#status.textContent = hits.length === 0 ? texts.nothingFound : this.#count;
+      const nothing = this.#book.mayHaveText
+        ? texts.nothingFound
+        : // Languages may have been added before this text was.
+          (texts.noText ?? texts.nothingFound);
+      this.#status.textContent = hits.length === 0 ? nothing : this.#count;
     } catch (error) {
       if (signal.aborted) return;
       this.#status.textContent =

@@ -82,6 +82,7 @@ export const en: ControlTexts = {
   searching: "Searching …",
   found: { one: "{n} place", other: "{n} places" },
   nothingFound: "Nothing found.",
+  noText: "Nothing found: the pages of this book are pictures, without text to search.",
   from: "From page",
   to: "to page",
   cancel: "Cancel",

@@ -91,6 +91,11 @@ export class BookTextOverlay {
     return searchBook(this.#source.textPages(signal), this.#texts, query, signal, found);
   }
 
+  /** As of `PageTexts`. */
+  get mayHaveText(): boolean {
+    return this.#texts.mayHaveText;
+  }
+
   /**
    * Marks a hit and every other place of its query when they become visible;
    * null removes the marks.

@@ -1,12 +1,14 @@
 /** Loose sheets, torn out of a book: crumpled, torn across, and lying upon each other. */
 
 import { afterEach, expect, test, vi } from "vitest";
+import type { TurnleafBook } from "../element.ts";
 import type { UV } from "../engine/book_engine.ts";
-import type { PaperMesh, Surface } from "../engine/shapes.ts";
+import type { PaperMesh, Surface, Vec3 } from "../engine/shapes.ts";
 import { clock } from "../for_tests/clock.ts";
 import { tearableBook, tearOutPage5 } from "../for_tests/tearable_books.ts";
 import { TestPointer } from "../for_tests/test_pointer.ts";
 import { LooseSheetPile } from "../viewer/loose_sheets.ts";
+import { WebGLStage } from "../webgl/webgl_stage.ts";
 
 afterEach(() => {
   vi.restoreAllMocks();
@@ -139,3 +141,49 @@ test("a loose sheet lies upon the one before it, and comes down when that is tak
   const left = pile.surfaces[0].positions.filter((_, k) => k % 3 === 2);
   expect(Math.min(...left)).toBeLessThan(lower + 0.00005);
 });
+
+/** Returns whether all of a sheet or a ball is seen, and the book with it, by places on the canvas. */
+function areSeen(element: TurnleafBook, { positions }: Surface): boolean {
+  const [stage] = vi.mocked(WebGLStage.prototype.project).mock.contexts as WebGLStage[];
+  const places = [...Array(positions.length / 3).keys()].map((point) =>
+    stage.project([...positions.slice(3 * point, 3 * point + 3)] as unknown as Vec3),
+  );
+  const { clientWidth, clientHeight } = element;
+  const { left, right, top, bottom } = element.bookBounds as DOMRect;
+  return (
+    places.every(({ x, y }) => x > 0 && y > 0 && x < clientWidth && y < clientHeight) &&
+    [left, top, clientWidth - right, clientHeight - bottom].every((room) => room > 0)
+  );
+}
+
+test.for([
+  [640, 400],
+  [195, 422],
+])(
+  "what is torn out and crumpled is seen until the reader goes on, at %d by %d",
+  async ([width, height]) => {
+    vi.spyOn(WebGLStage.prototype, "project");
+    const element = await tearableBook();
+    element.style.cssText = `width: ${width}px; height: ${height}px`;
+    await clock.until(() => element.ready);
+    const rested = element.bookBounds as DOMRect;
+    const add = vi.spyOn(LooseSheetPile.prototype, "add");
+    clock.hold();
+    await tearOutPage5(element);
+    const pile = add.mock.contexts[0] as LooseSheetPile;
+    expect(areSeen(element, pile.surfaces[0])).toBe(true);
+    expect(element.crumple()).toBe(true);
+    await clock.until(() => element.settled);
+    expect(areSeen(element, pile.surfaces[0])).toBe(true);
+    expect(element.zoom).toBe(1);
+    const turned = element.next();
+    await clock.until(() => element.settled);
+    expect(await turned).toBe(true);
+    // Read on, the book is about as large as before.
+    expect((element.bookBounds as DOMRect).height).toBeGreaterThan(0.84 * rested.height);
+    const back = element.putBack();
+    await clock.until(() => element.settled);
+    expect(await back).toBe(true);
+    expect((element.bookBounds as DOMRect).height).toBeCloseTo(rested.height, 6);
+  },
+);

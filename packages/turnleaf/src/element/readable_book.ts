@@ -37,6 +37,11 @@ export class ReadableBook {
     return (await this.#text).search(query, either, found);
   }
 
+  /** Whether a page that was read has text, or one could not be read: after a search, whether the book may. */
+  get mayHaveText(): boolean {
+    return this.#overlay?.mayHaveText ?? false;
+  }
+
   /**
    * Marks a hit and every other place of its query when they become visible;
    * null removes the marks.

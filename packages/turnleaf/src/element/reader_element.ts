@@ -146,6 +146,15 @@ export abstract class ReaderElement extends MarkedElement {
   }
 
   /**
+   * Whether there may be text in the book; known once it has been searched.
+   *
+   * @internal
+   */
+  get mayHaveText(): boolean {
+    return this.book?.reading.mayHaveText ?? true;
+  }
+
+  /**
    * Turns to a hit and marks it, strongly, and faintly every other visible
    * place of its query; null removes the marks. Resolves, once the book is at
    * rest, to whether the hit lies open.

@@ -24,6 +24,7 @@ export class FakeBook extends HTMLElement implements ControlledBook {
   shifts: readonly number[] = [];
   playing = false;
   canReadAloud = false;
+  mayHaveText = true;
   readingAloud = false;
   canTypeset = false;
   darkPagesNow: "" | "invert" | "dim" = "";

@@ -39,7 +39,7 @@ export async function tearableInPlace(
   return element;
 }
 
-/** Returns the fraction of the pixels on the right of the book that show paper. */
+/** Returns how much paper is seen on the right of the book, as a multiple of a page's area. */
 export function besideBook(element: TurnleafBook): number {
   const drawn = element.shadowRoot?.querySelector("canvas") as HTMLCanvasElement;
   const bounds = element.bookBounds as DOMRect;
@@ -62,7 +62,8 @@ export function besideBook(element: TurnleafBook): number {
   );
   const { data } = pen.getImageData(0, 0, copy.width, copy.height);
   // Paper is opaque; shadows are not.
-  return data.filter((value, k) => k % 4 === 3 && value > 250).length / (data.length / 4);
+  const pixels = data.filter((value, k) => k % 4 === 3 && value > 250).length;
+  return pixels / ((bounds.width / 2) * bounds.height);
 }
 
 /** Pulls the upper corner of the right page outward, in steps of a frame, some pixels farther each. */

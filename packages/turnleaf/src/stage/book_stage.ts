@@ -68,7 +68,7 @@ export interface BookStage {
   readonly pageTexels: number;
   /** A key of the projection: two equal keys mean the same projection. */
   readonly viewKey: string;
-  /** The zoom level and the centre of the view. Setting it clamps it to the book. */
+  /** The zoom level and the centre of the view. Setting it clamps it to the book, if its level is 1 or more. */
   zoom: Zoom;
 
   /**

@@ -5,13 +5,16 @@
  * arithmetic.
  */
 
-/** A zoom: 1 shows the whole book. */
+/** A zoom: 1 shows the whole book in the middle, less shows what lies beside it too. */
 export interface Zoom {
   readonly level: number;
   /** The point of book space (metres, at the height of the pages) in the middle of the canvas. */
   readonly x: number;
   readonly y: number;
 }
+
+/** The view of the whole book, which has its middle by itself. */
+export const wholeBook: Zoom = { level: 1, x: 0, y: 0 };
 
 /** A place on the canvas, in fractions of its size from its upper left corner. */
 export type CanvasFraction = readonly [x: number, y: number];
@@ -59,11 +62,11 @@ export function zoomBetween(from: Zoom, to: Zoom, fraction: number): Zoom {
 
 /**
  * Clamps a zoom to the book as the book moves: nothing beyond the book is shown
- * while it fills the canvas.
+ * while it fills the canvas, and the whole book is in its middle. A level below 1 is shown as it is.
  */
 export class ZoomState {
   readonly #sightAt: (level: number) => Sight;
-  #zoom: Zoom = { level: 1, x: 0, y: 0 };
+  #zoom: Zoom = wholeBook;
 
   /** @param sightAt returns the picture of the book at a level, before magnification */
   constructor(sightAt: (level: number) => Sight) {
@@ -106,6 +109,8 @@ function beside([x, y]: CanvasFraction, at: CanvasFraction, scale: number): Canv
 }
 
 function keptTo({ book }: Sight, [x, y]: CanvasFraction, level: number): CanvasFraction {
+  // Farther away than the whole book is, what is beside it is looked at.
+  if (level < 1) return [x, y];
   return [kept(x, 0.5 / level, book[0], book[2]), kept(y, 0.5 / level, book[1], book[3])];
 }
 

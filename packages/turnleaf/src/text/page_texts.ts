@@ -13,6 +13,12 @@ export class PageTexts {
   /** In the order in which they were last requested. */
   readonly #kept = new Map<unknown, readonly TextRun[]>();
   #cost = 0;
+  #mayHaveText = false;
+
+  /** Whether a page that was read has text, or one could not be read. */
+  get mayHaveText(): boolean {
+    return this.#mayHaveText;
+  }
 
   /**
    * Returns the runs of a page; none if it has no text or cannot be
@@ -34,6 +40,7 @@ export class PageTexts {
     } catch {
       // A page that cannot be read is reported where it would be seen.
       signal.throwIfAborted();
+      this.#mayHaveText = true;
       return [];
     }
   }
@@ -41,6 +48,7 @@ export class PageTexts {
   #keep(key: unknown, runs: readonly TextRun[]): void {
     if (this.#kept.has(key)) return;
     this.#kept.set(key, runs);
+    this.#mayHaveText ||= runs.some(({ text }) => text.trim() !== "");
     this.#cost += costOf(runs);
     for (const [oldest, old] of this.#kept) {
       if (this.#cost <= mostLetters || oldest === key) break;

@@ -1,7 +1,7 @@
 /** Moves the camera, zoom and pan, and reports the views at which it comes to rest. */
 
 import type { BookStage, Place } from "../stage/book_stage.ts";
-import { type Zoom, zoomBetween } from "../stage/zoom.ts";
+import { wholeBook, type Zoom, zoomBetween } from "../stage/zoom.ts";
 
 /** Maximum zoom level. */
 const mostZoom = 8;
@@ -9,6 +9,8 @@ const mostZoom = 8;
 /** The camera over one book. */
 export class CameraMotion {
   readonly #stage: BookStage;
+  /** The view at level 1: of the whole book, and of what lies beside it. */
+  #whole: Zoom = wholeBook;
   #glide: { from: Zoom; to: Zoom; passed: number; seconds: number } | null = null;
 
   constructor(stage: BookStage) {
@@ -17,7 +19,7 @@ export class CameraMotion {
 
   /** The current zoom level, or the one the camera is moving to. */
   get level(): number {
-    return this.#glide?.to.level ?? this.#stage.zoom.level;
+    return Math.max(this.#target.level, 1);
   }
 
   /**
@@ -25,12 +27,12 @@ export class CameraMotion {
    * view at once, clamped to the book.
    */
   get view(): Zoom {
-    return this.#glide?.to ?? this.#stage.zoom;
+    return this.level > 1 ? this.#target : wholeBook;
   }
 
   set view(view: Zoom) {
     this.#glide = null;
-    this.#stage.zoom = view;
+    this.#stage.zoom = view.level > 1 ? view : this.#home;
   }
 
   /** Whether the camera is moving. */
@@ -48,15 +50,44 @@ export class CameraMotion {
     const shown = this.#stage.zoom;
     // A request during a motion starts from the end of that motion.
     if (this.#glide) this.#stage.zoom = this.#glide.to;
-    const zoom = this.#stage.zoomed(Math.min(Math.max(level, 1), mostZoom), from, to);
-    this.#stage.zoom = seconds > 0 ? shown : zoom;
-    this.#glide = seconds > 0 ? { from: shown, to: zoom, passed: 0, seconds } : null;
+    const zoom = level > 1 ? this.#stage.zoomed(Math.min(level, mostZoom), from, to) : this.#home;
+    this.#stage.zoom = shown;
+    this.#go(zoom, seconds);
   }
 
-  /** Calls `look` with the camera as it is when it shows the whole book. */
+  /**
+   * Sets what is shown at level 1, from now on: the whole book, or from farther away what lies beside it
+   * too. A camera that shows another part of the book stays.
+   *
+   * @param seconds duration; 0 for at once
+   */
+  showWhole(whole: Zoom, seconds: number): void {
+    const { level, x, y } = this.#whole;
+    if (level === whole.level && x === whole.x && y === whole.y) return;
+    this.#whole = whole;
+    if (this.level === 1) this.#go(this.#home, seconds);
+  }
+
+  #go(to: Zoom, seconds: number): void {
+    const from = this.#stage.zoom;
+    this.#glide = seconds > 0 ? { from, to, passed: 0, seconds } : null;
+    if (seconds === 0) this.#stage.zoom = to;
+  }
+
+  /** What is shown at level 1, by its own middle. */
+  get #home(): Zoom {
+    const corner = { x: 0, y: 0 };
+    return this.#whole.level < 1 ? this.#whole : this.#stage.zoomed(1, corner, corner);
+  }
+
+  get #target(): Zoom {
+    return this.#glide?.to ?? this.#stage.zoom;
+  }
+
+  /** Calls `look` with the camera as it is when it shows the whole book and nothing else. */
   lookAtRest<T>(look: () => T): T {
     const { zoom } = this.#stage;
-    this.#stage.zoom = { level: 1, x: 0, y: 0 };
+    this.#stage.zoom = wholeBook;
     const seen = look();
     this.#stage.zoom = zoom;
     return seen;

@@ -1,7 +1,8 @@
 /**
  * Sheets that were torn out: pointers carry them, they fall, and they lie on the table beside the
  * book. One that is let go over the book is put aside, so that its pages stay readable. Two pointers
- * that pull one apart, or a command, tear it across: each piece is a sheet then.
+ * that pull one apart, or a command, tear it across: each piece is a sheet then. The camera steps back
+ * so far that they are seen whole until the reader goes on, and within reach from then on.
  */
 
 import type { TornSheet, UV } from "../engine/book_engine.ts";
@@ -10,10 +11,12 @@ import { type Hit, pickSurface } from "../picking/pick.ts";
 import { onPlane } from "../picking/reach.ts";
 import type { PagePicture } from "../sources/page_source.ts";
 import { tableHeight } from "../stage/case_sizes.ts";
+import { wholeBook, type Zoom } from "../stage/zoom.ts";
 import type { Dragged, LooseHit } from "./drag.ts";
 import type { Rebinder } from "./rebinder.ts";
 import {
   type AsideMotion,
+  asideSeconds,
   beginTear,
   layDown,
   moveAside,
@@ -21,7 +24,8 @@ import {
   putAside,
   type TearMotion,
 } from "./sheet_motions.ts";
-import { facesUp, middleOf, pointAt } from "./sheet_places.ts";
+import { facesUp, middleOf, partOfPage, pointAt } from "./sheet_places.ts";
+import { placeAside, reachOf, type TableArea, viewWith } from "./table_places.ts";
 import { isOnParted, type PageSize, pathBetween, type TearPath } from "./tear_path.ts";
 
 /** Sheets that are kept at most: the one torn out first is taken away for the next. */
@@ -66,6 +70,8 @@ interface LooseSheet {
   holds: [Hold | null, Hold | null];
   /** How it is put aside; null if it is not. */
   aside: AsideMotion | null;
+  /** Where it was put aside, or will be; null if it was moved since. */
+  area: TableArea | null;
   /** How it is being torn across; null if it is not. */
   tear: Tear | null;
   /** Whether it is pressed into a ball, or falls after that. */
@@ -80,6 +86,10 @@ export interface LooseSheetHooks {
   readonly rayAt: (x: number, y: number) => Ray;
   /** Returns whether a point of book space is seen on the canvas. */
   readonly isSeen: (point: Vec3) => boolean;
+  /** Returns what is seen of the table where a view shows the whole book. */
+  readonly seenTable: () => TableArea;
+  /** Sets what is shown at zoom level 1, in so many seconds. */
+  readonly showWhole: (whole: Zoom, seconds: number) => void;
   /** Called with the work done in crumpling sheets, J. */
   readonly heard: (work: number) => void;
   /** Gives back a picture that is shown no more. */
@@ -91,6 +101,8 @@ export class LooseSheetPile {
   readonly #rebinder: Rebinder;
   readonly #hooks: LooseSheetHooks;
   #sheets: LooseSheet[] = [];
+  /** Whether they are looked at, and are seen whole; else the book is, and they are within reach. */
+  #isLookedAt = false;
   /** Whether tearing and crumpling have been rehearsed. */
   #isRehearsed = false;
 
@@ -116,6 +128,7 @@ export class LooseSheetPile {
    */
   add(id: number, sheet: TornSheet, pictures: SheetPictures): void {
     this.#sheets.push(loose(id, sheet, pictures));
+    this.#isLookedAt = true;
     while (this.#sheets.length > mostSheets) this.remove(this.#sheets[0].id);
   }
 
@@ -146,7 +159,39 @@ export class LooseSheetPile {
     for (const picture of [gone.pictures.recto, gone.pictures.verso]) {
       if (picture && isLast) this.#hooks.drop(picture);
     }
+    this.look();
     this.#hooks.moved();
+  }
+
+  /** Call it when the reader goes on with the book: they are only within reach from then on. */
+  readOn(): void {
+    this.#isLookedAt = false;
+    this.look();
+  }
+
+  /**
+   * Has the camera show them, as they lie or will.
+   *
+   * @param seconds duration; 0 for at once
+   */
+  look(seconds: number = asideSeconds): void {
+    const { shape } = this.#rebinder.bound;
+    if (this.#sheets.length === 0) {
+      this.#hooks.showWhole(wholeBook, seconds);
+      return;
+    }
+    // Under a pointer that carries a sheet the view stays as it is.
+    const isHeld = this.#sheets.some(({ holds }) => holds.some((hold) => hold !== null));
+    if (isHeld && seconds > 0) return;
+    const areas = this.#sheets.map(areaOf);
+    const shown = this.#isLookedAt ? areas : areas.map((area) => reachOf(shape, area));
+    this.#hooks.showWhole(viewWith(shape, shown, this.#hooks.seenTable()), seconds);
+  }
+
+  /** They are looked at: the camera shows them whole. */
+  #lookAt(): void {
+    this.#isLookedAt = true;
+    this.look();
   }
 
   /** Steps what moves by whole ticks, at most two. Returns whether anything goes on moving. */
@@ -165,6 +210,7 @@ export class LooseSheetPile {
       if (work > 0) this.#hooks.heard(work);
       if (one.tear && !one.sheet.holdsAcross) this.#part(one, one.tear);
       if (one.isCrumpling && one.sheet.isAsleep) this.#crumpled(one);
+      else if (one.sheet.isAsleep) this.look();
     }
     const moves = this.#sheets.some(({ sheet }) => !sheet.isAsleep);
     if (!moves && this.whole !== null) this.#rehearse();
@@ -234,7 +280,9 @@ export class LooseSheetPile {
     if (grab < 0 || one.tear?.command || (isBall && grab > 0)) return noDrag;
     const hold: Hold = { place, at: null, sheet: one };
     one.aside = null;
+    one.area = null;
     one.isCrumpling = false;
+    this.#lookAt();
     one.holds[grab] = hold;
     one.sheet.grab(...place, grab as 0 | 1);
     return {
@@ -294,24 +342,33 @@ export class LooseSheetPile {
   #crumple(one: LooseSheet | undefined): boolean {
     if (!one?.sheet.crumple()) return false;
     one.aside = null;
+    one.area = null;
     one.isCrumpling = true;
     one.holds = [null, null];
+    this.#lookAt();
     this.#hooks.moved();
     return true;
   }
 
-  /** A ball lies where it fell: over the pages it is put aside. */
+  /** A ball lies where it fell: over the pages, or where it is out of reach, it is put aside. */
   #crumpled(one: LooseSheet): void {
     one.isCrumpling = false;
-    if (this.#isOverBook(one)) this.#letGo(one, null);
+    const { shape } = this.#rebinder.bound;
+    const reach = viewWith(shape, [reachOf(shape, areaOf(one))], this.#hooks.seenTable());
+    if (this.#isOverBook(one) || reach !== wholeBook)
+      this.#putAside(one, middleOf(one.sheet.surface));
+    this.look();
+    this.#hooks.moved();
   }
 
   #tearByCommand(one: LooseSheet, path: TearPath): boolean {
     if (!one.sheet.tearAcross(...path)) return false;
     const command = beginTear(one.sheet, path, this.#size);
     one.aside = null;
+    one.area = null;
     one.holds = [null, null];
     one.tear = { path, command };
+    this.#lookAt();
     this.#hooks.moved();
     return true;
   }
@@ -362,17 +419,31 @@ export class LooseSheetPile {
    * @param at where a pointer held it; null if none did
    */
   #letGo(one: LooseSheet, at: Vec3 | null): void {
-    const { shape } = this.#rebinder.bound;
     const middle = middleOf(one.sheet.surface);
     one.holds = [null, null];
     one.sheet.release();
-    if (!this.#isOverBook(one)) {
-      // What was thrown out of sight is gone.
-      if (at && !this.#hooks.isSeen(at) && !this.#hooks.isSeen(middle)) this.#discard(one);
-    } else {
-      one.aside = putAside(one.sheet, shape, at ?? middle);
-    }
+    const isOver = this.#isOverBook(one);
+    // What was thrown out of sight is gone.
+    if (!isOver && at && !this.#hooks.isSeen(at) && !this.#hooks.isSeen(middle)) this.#discard(one);
+    else if (isOver || this.#isFarOff(one, at ?? middle)) this.#putAside(one, at ?? middle);
+    this.look();
     this.#hooks.moved();
+  }
+
+  /** Whether the camera had to step back farther for a sheet than if it lay beside the book. */
+  #isFarOff(one: LooseSheet, at: Vec3): boolean {
+    const { shape } = this.#rebinder.bound;
+    const seen = this.#hooks.seenTable();
+    const beside = placeAside(shape, sizeOf(one.sheet, shape), [], at, seen);
+    return viewWith(shape, [areaOf(one)], seen).level < viewWith(shape, [beside], seen).level;
+  }
+
+  #putAside(one: LooseSheet, at: Vec3): void {
+    const { shape } = this.#rebinder.bound;
+    const others = this.#sheets.filter((other) => other !== one).map(areaOf);
+    const size = sizeOf(one.sheet, shape);
+    one.area = placeAside(shape, size, others, at, this.#hooks.seenTable());
+    one.aside = putAside(one.sheet, one.area, tableHeight(shape), shape);
   }
 
   /** Moves a sheet on that is put aside or torn by a command. */
@@ -401,8 +472,23 @@ function whenIdle(call: () => void): void {
 const noDrag: Dragged = { canFlick: false, move: () => {}, release: () => {} };
 
 function loose(id: number, sheet: TornSheet, pictures: SheetPictures): LooseSheet {
-  const free = { holds: [null, null] as LooseSheet["holds"], aside: null, tear: null };
+  const free = { holds: [null, null] as LooseSheet["holds"], aside: null, area: null, tear: null };
   return { id, sheet, pictures, ...free, isCrumpling: false };
+}
+
+/** Returns how wide and high a sheet or a piece lies that is put aside: a ball is as it is seen. */
+function sizeOf({ surface, isCrumpled }: TornSheet, page: PageSize): readonly [number, number] {
+  if (!isCrumpled) {
+    const [low, high] = partOfPage(surface);
+    return [(high[0] - low[0]) * page.width, (high[1] - low[1]) * page.height];
+  }
+  const { low, high } = surfaceBounds(surface);
+  return [high[0] - low[0], high[1] - low[1]];
+}
+
+/** Returns where a sheet lies, or will once it is put aside. */
+function areaOf({ area, sheet }: LooseSheet): TableArea {
+  return area ?? surfaceBounds(sheet.surface);
 }
 
 /** Returns whether a sheet is neither crumpled nor torn across. */

@@ -7,6 +7,7 @@ import type { TearLine } from "../engine/shapes.ts";
 import type { PageBitmaps } from "../pages/page_bitmaps.ts";
 import type { BookPose } from "../stage/book_pose.ts";
 import type { BookStage, Place } from "../stage/book_stage.ts";
+import type { Zoom } from "../stage/zoom.ts";
 import type { Backend } from "./backend.ts";
 import type { Folds } from "./folds.ts";
 import type { Rebinder } from "./rebinder.ts";
@@ -34,6 +35,12 @@ export interface SheetHooks {
   readonly lay: (spread: number) => void;
   /** Returns whether a place is on the canvas. */
   readonly isSeen: (place: Place) => boolean;
+  /** Returns the width and the height of the canvas, CSS pixels. */
+  readonly canvas: () => readonly [width: number, height: number];
+  /** Calls `look` with the camera as it is when it shows the whole book and nothing else. */
+  readonly lookAtRest: <T>(look: () => T) => T;
+  /** Sets what is shown at zoom level 1, in so many seconds. */
+  readonly showWhole: (whole: Zoom, seconds: number) => void;
 }
 
 /** Folds the leaves of one book and tears them out, however it is bound. */
@@ -173,6 +180,16 @@ export class SheetCommands {
     this.#loadedTearing?.bound();
   }
 
+  /** Call it when the canvas has another size. */
+  resized(): void {
+    this.#loadedTearing?.resized();
+  }
+
+  /** Call it when the reader goes on with the book. */
+  readOn(): void {
+    this.#loadedTearing?.readOn();
+  }
+
   /** Ends everything; before the book is freed. */
   close(): void {
     this.#closed = true;
@@ -197,7 +214,7 @@ export class SheetCommands {
     try {
       const [loaded] = await Promise.all([backend.tearing?.(), this.useCreasable()]);
       if (loaded && owner) {
-        const { moved, lay, isSeen } = this.#hooks;
+        const { moved, lay, isSeen, canvas, lookAtRest, showWhole } = this.#hooks;
         const hooks = {
           line: () => this.#line,
           mayTear: (pages: readonly number[]) => owner.mayTear(pages),
@@ -206,6 +223,9 @@ export class SheetCommands {
           moved,
           lay,
           isSeen,
+          canvas,
+          lookAtRest,
+          showWhole,
         };
         this.#loadedTearing = new loaded.Tearing(rebinder, bitmaps, stage, hooks);
       }

@@ -2,17 +2,19 @@
 
 import type { TornSheet, UV } from "../engine/book_engine.ts";
 import type { Surface, Vec3 } from "../engine/shapes.ts";
-import type { BookShape } from "../stage/book_pose.ts";
-import { tableHeight } from "../stage/case_sizes.ts";
-import { middleOf, middlePlace, placeOnPage, pointAt } from "./sheet_places.ts";
+import {
+  facesUp,
+  middleOf,
+  middlePlace,
+  partOfPage,
+  placeOnPage,
+  pointAt,
+} from "./sheet_places.ts";
+import type { TableArea } from "./table_places.ts";
 import { holdsBeside, type PageSize, type TearPath } from "./tear_path.ts";
 
-/**
- * Seconds in which a sheet is put aside, and how far beside the pages it then lies, in page widths:
- * more than contact keeps it away from their block.
- */
-const asideSeconds = 0.6;
-const apart = 0.2;
+/** Seconds in which a sheet is put aside. */
+export const asideSeconds = 0.6;
 
 /**
  * A sheet torn across by command: how high it is raised for that, so that most of it stays where it
@@ -113,12 +115,30 @@ export function layDown(
   };
 }
 
-/** Begins to put a sheet aside: beside the book, on the side of a place. */
-export function putAside(sheet: TornSheet, shape: BookShape, at: Vec3): AsideMotion {
+/** Begins to put a sheet aside: straight, to a place on the table, at its height. */
+export function putAside(
+  sheet: TornSheet,
+  area: TableArea,
+  table: number,
+  { width, height }: PageSize,
+): AsideMotion {
   const { surface } = sheet;
-  const [from, to] = [middleOf(surface), asideOf(shape, at)];
-  sheet.grab(...middlePlace(surface));
-  return { ways: [{ from, to }], around: [0, 0], part: 0 };
+  const [x, y] = [0, 1].map((axis) => (area.low[axis] + area.high[axis]) / 2);
+  const [low, high] = partOfPage(surface);
+  const [u, v] = [0, 1].map((axis) => (low[axis] + high[axis]) / 2);
+  if (sheet.isCrumpled) {
+    sheet.grab(...middlePlace(surface));
+    return { ways: [{ from: middleOf(surface), to: [x, y, table] }], around: [0, 0], part: 0 };
+  }
+  // A page that shows its verso is seen from behind.
+  const across = facesUp(surface) ? width : -width;
+  const ways = laidBetween.map((part, grab) => {
+    const place = placeOnPage(surface, [part, 0.5]);
+    sheet.grab(...place, grab as 0 | 1);
+    const to = [x + across * (place[0] - u), y + height * (place[1] - v), table] as const;
+    return { from: pointAt(surface, place), to };
+  });
+  return { ways, around: [0, 0], part: 0 };
 }
 
 /** Moves a sheet on that is put aside or laid down by some seconds. Returns whether it goes on. */
@@ -134,19 +154,4 @@ export function moveAside(sheet: TornSheet, aside: AsideMotion, seconds: number)
     sheet.pull([x, y, at(2, sunk)], grab as 0 | 1);
   }
   return aside.part < 1;
-}
-
-/**
- * Returns where the middle of a sheet lies that is put aside: on the screen left or right of the
- * book, on the side of a place.
- */
-function asideOf(shape: BookShape, [x, y]: Vec3): Vec3 {
-  const { width, height, rim, quarterTurned } = shape;
-  const [table, beyond] = [tableHeight(shape), rim + apart * width];
-  if (!quarterTurned) return [(x < 0 ? -1 : 1) * (1.5 * width + beyond), height / 2, table];
-  return [
-    (Math.sign(x) * width) / 2,
-    height / 2 + (y < height / 2 ? -1 : 1) * (height + beyond),
-    table,
-  ];
 }

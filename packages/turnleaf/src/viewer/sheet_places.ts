@@ -10,15 +10,34 @@ export function placeOnPage({ creased, columns, rows }: Surface, [u, v]: UV): UV
   return [creased.places[2 * point], creased.places[2 * point + 1]];
 }
 
-/** Returns where the point of a torn sheet is that lies next to a place on the page. */
-export function pointAt({ positions, creased }: Surface, [u, v]: UV): Vec3 {
+/** Returns where the point of a sheet is that lies next to a place on the page. */
+export function pointAt({ positions, columns, rows, creased }: Surface, [u, v]: UV): Vec3 {
+  let best = Math.round(v * (rows - 1)) * columns + Math.round(columnAt(u, columns));
+  let least = Infinity;
   const places = creased?.places ?? [];
-  let [best, least] = [0, Infinity];
   for (let point = 0; 2 * point < places.length; point++) {
     const away = Math.hypot(places[2 * point] - u, places[2 * point + 1] - v);
     if (away < least) [best, least] = [point, away];
   }
   return [positions[3 * best], positions[3 * best + 1], positions[3 * best + 2]];
+}
+
+/** Returns the part of its page that a sheet is, from its lower to its upper place. */
+export function partOfPage({ creased }: Surface): readonly [low: UV, high: UV] {
+  const [low, high]: [number, number][] = creased
+    ? [
+        [1, 1],
+        [0, 0],
+      ]
+    : [
+        [0, 0],
+        [1, 1],
+      ];
+  for (const [at, place] of (creased?.places ?? []).entries()) {
+    low[at % 2] = Math.min(low[at % 2], place);
+    high[at % 2] = Math.max(high[at % 2], place);
+  }
+  return [low as UV, high as UV];
 }
 
 /** Returns the place on its page of a sheet's middle. */

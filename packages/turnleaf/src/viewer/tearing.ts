@@ -25,10 +25,12 @@ import { onPlane } from "../picking/reach.ts";
 import type { BookPose } from "../stage/book_pose.ts";
 import type { BookStage, Place } from "../stage/book_stage.ts";
 import { tableHeight } from "../stage/case_sizes.ts";
+import type { Zoom } from "../stage/zoom.ts";
 import type { Drag } from "./drag.ts";
 import { stepSheets } from "./frame_timing.ts";
 import { LooseSheetPile } from "./loose_sheets.ts";
 import type { Rebinder } from "./rebinder.ts";
+import { seenTable } from "./table_places.ts";
 import type { TearOwner } from "./viewer_options.ts";
 
 /** How far a leaf is pulled beyond its reach before it is drawn as one that tears, in page widths. */
@@ -58,6 +60,12 @@ export interface TearHooks extends TearOwner {
   readonly lay: (spread: number) => void;
   /** Returns whether a place is on the canvas. */
   readonly isSeen: (place: Place) => boolean;
+  /** Returns the width and the height of the canvas, CSS pixels. */
+  readonly canvas: () => readonly [width: number, height: number];
+  /** Calls `look` with the camera as it is when it shows the whole book and nothing else. */
+  readonly lookAtRest: <T>(look: () => T) => T;
+  /** Sets what is shown at zoom level 1, in so many seconds. */
+  readonly showWhole: (whole: Zoom, seconds: number) => void;
 }
 
 /** A leaf that is being torn. */
@@ -103,6 +111,12 @@ export class Tearing {
       moved: hooks.moved,
       rayAt: (x, y) => stage.rayAt(x, y),
       isSeen: (point) => hooks.isSeen(stage.project(point)),
+      seenTable: () =>
+        hooks.lookAtRest(() => {
+          const { shape } = rebinder.bound;
+          return seenTable(shape, (point) => stage.projectOpen(point), hooks.canvas());
+        }),
+      showWhole: hooks.showWhole,
       heard: (work) => hooks.heard(work),
       drop: (picture) => bitmaps.drop(picture),
     });
@@ -113,6 +127,17 @@ export class Tearing {
   bound(): void {
     this.#end(false);
     this.#begun.clear();
+    this.#loose.look(0);
+  }
+
+  /** Call it when the canvas has another size. */
+  resized(): void {
+    this.#loose.look(0);
+  }
+
+  /** Call it when the reader goes on with the book: loose sheets are only within reach from then on. */
+  readOn(): void {
+    this.#loose.readOn();
   }
 
   /**

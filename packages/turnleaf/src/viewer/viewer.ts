@@ -120,7 +120,10 @@ export class Viewer {
         this.#foldOut.close();
         this.#show();
       },
-      turnStarted: ({ low, high, from }) => options.onStart(low, high, from === low),
+      turnStarted: ({ low, high, from }) => {
+        this.sheets.readOn();
+        options.onStart(low, high, from === low);
+      },
       moved: arrived,
       landed: () => this.#show(),
       rested: (from, to) => {
@@ -140,6 +143,12 @@ export class Viewer {
         dropCorner: () => this.commands.dropCorner(),
         lay: (spread) => this.#layBare(spread),
         isSeen: ({ x, y }) => x >= 0 && y >= 0 && x <= this.#cssWidth && y <= this.#cssHeight,
+        canvas: () => [this.#cssWidth, this.#cssHeight],
+        lookAtRest: (look) => this.#camera.lookAtRest(look),
+        showWhole: (whole, seconds) => {
+          this.#camera.showWhole(whole, options.calm?.() ? 0 : seconds);
+          this.invalidate();
+        },
       },
     );
     this.#frames = new FrameLoop({
@@ -340,6 +349,7 @@ export class Viewer {
     this.#cssWidth = cssWidth;
     this.#cssHeight = cssHeight;
     this.#stage.resize(cssWidth, cssHeight, pixelRatio, scale);
+    this.sheets.resized();
     if (!this.#rebinder.suits(cssWidth, cssHeight)) {
       this.#rebinder.bindSoon();
       this.#bindSoon();
@@ -372,6 +382,7 @@ export class Viewer {
     // A listener may destroy the viewer at once.
     if (this.#destroyed) return Promise.resolve(false);
     if (to !== from || this.turning.moving) {
+      this.sheets.readOn();
       if (fades) {
         this.#frames.drawAtOnce();
         this.#crossFade.begin(from);

@@ -68,6 +68,8 @@ export interface ViewerOptions extends Partial<BindingOptions> {
   readonly onPress?: (ear: DogEar) => Promise<unknown>;
   /** Who owns the pages of leaves that are torn out. The default is that none are. */
   readonly tearing?: TearOwner;
+  /** Returns whether the reader prefers reduced motion: the camera then moves by itself at once. The default is no. */
+  readonly calm?: () => boolean;
   /** The zoom level has changed: the current one, or the one the camera is moving to. */
   readonly onZoom?: (level: number) => void;
   /** An optional part of the viewer could not be loaded. */

@@ -126,6 +126,8 @@ export interface ControlTexts {
   readonly searching: string;
   readonly found: Plural;
   readonly nothingFound: string;
+  /** Nothing was found in a book that has no text. */
+  readonly noText: string;
   readonly from: string;
   readonly to: string;
   readonly cancel: string;

@@ -95,6 +95,8 @@ export const texts: Texts = {
   searching: "Suche läuft …",
   found: { one: "{n} Stelle", other: "{n} Stellen" },
   nothingFound: "Nichts gefunden.",
+  noText:
+    "Nichts gefunden: Die Seiten dieses Buches sind Bilder ohne Text, der sich durchsuchen ließe.",
   from: "Von Seite",
   to: "bis Seite",
   cancel: "Abbrechen",

@@ -95,6 +95,8 @@ export const texts: Texts = {
   searching: "Buscando…",
   found: { one: "{n} resultado", other: "{n} resultados" },
   nothingFound: "No se encontró nada.",
+  noText:
+    "No se encontró nada: las páginas de este libro son imágenes, sin texto en el que buscar.",
   from: "De la página",
   to: "a la página",
   cancel: "Cancelar",

@@ -95,6 +95,7 @@ export const texts: Texts = {
   searching: "Recherche…",
   found: { one: "{n} passage", other: "{n} passages" },
   nothingFound: "Rien n’a été trouvé.",
+  noText: "Rien n’a été trouvé : les pages de ce livre sont des images, sans texte où chercher.",
   from: "De la page",
   to: "à la page",
   cancel: "Annuler",

@@ -90,6 +90,7 @@ export const texts: Texts = {
   searching: "検索中…",
   found: { other: "{n} 件" },
   nothingFound: "見つかりませんでした。",
+  noText: "見つかりませんでした。この本のページは画像で、検索できる文字がありません。",
   from: "開始ページ",
   to: "終了ページ",
   cancel: "キャンセル",

@@ -90,6 +90,7 @@ export const texts: Texts = {
   searching: "正在搜索…",
   found: { other: "找到 {n} 处" },
   nothingFound: "没有找到。",
+  noText: "没有找到：本书的页面是图片，没有可查找的文字。",
   from: "从",
   to: "到",
   cancel: "取消",
