@@ -566,7 +566,7 @@ export class TurnleafBook extends TearableElement {
         if (isOpen) this.#tree.announce(detail.message);
         this.emit("pageerror", { ...detail, page });
       },
-      calm: () => this.#calm,
+      calm: () => this.isCalm,
       onPageWidth: () => this.#text.follow(),
       onLayout: () => this.#laidOut(),
       onPage: (from, to) => this.pageChanged(from, to, from < to ? "forward" : "backward"),

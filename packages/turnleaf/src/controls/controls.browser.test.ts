@@ -533,9 +533,10 @@ test("a number of pages that is an estimate says so, and a jump can be taken bac
   expect([back?.hidden, back?.textContent]).toEqual([false, "Back to page 2"]);
   back?.click();
   expect(book.asked).toEqual(["jumpBack"]);
-  Object.assign(book, { guessed: true });
+  Object.assign(book, { guessed: true, label: () => "Cover" });
   book.dispatchEvent(new CustomEvent("pageschange"));
   expect(root.querySelector(".count")?.textContent).toContain("of …");
+  expect(back?.textContent).toBe("Back to “Cover”");
   Object.assign(book, { estimated: false, guessed: false, jumpedFrom: null });
   book.dispatchEvent(new CustomEvent("pageschange"));
   expect(root.querySelector(".count")?.textContent).toContain("of 30");

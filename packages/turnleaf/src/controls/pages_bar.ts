@@ -1,6 +1,6 @@
 /** The row at the foot of the book: one page back and forward, the slider, the page field. */
 
-import { fill } from "../words/languages.ts";
+import { fill, isName } from "../words/languages.ts";
 import type { ControlledBook } from "./book.ts";
 import { iconButton } from "./buttons.ts";
 import { findPage } from "./find_page.ts";
@@ -87,7 +87,9 @@ export class PagesBar {
     this.#count.textContent = fill(label === String(page) ? texts.of : texts.pageOf, values);
     const { jumpedFrom } = this.#book;
     this.#back.hidden = jumpedFrom === null;
-    this.#back.textContent = fill(texts.backTo, { label: this.#book.label(jumpedFrom ?? 1) });
+    const before = this.#book.label(jumpedFrom ?? 1);
+    const back = isName(before) ? texts.backToNamed : texts.backTo;
+    this.#back.textContent = fill(back, { label: before });
     this.#previous.ariaDisabled = String(page <= 1);
     const { left, right } = this.#book.spread;
     this.#next.ariaDisabled = String(Math.max(page, left ?? 0, right ?? 0) >= pageCount);

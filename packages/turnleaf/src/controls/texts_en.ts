@@ -17,6 +17,7 @@ export const en: ControlTexts = {
   pageOf: "{page} of {n}",
   place: "Page {label}, {page} of {n}",
   backTo: "Back to page {label}",
+  backToNamed: "Back to “{label}”",
   noSuchPage: "There is no page {label}",
   zoomIn: "Zoom in",
   zoomOut: "Zoom out",

@@ -5,10 +5,9 @@ import { BookError } from "../sources/page_source.ts";
 import {
   type CountedBook,
   countOf,
-  elementTexts,
-  fill,
   list,
   number,
+  pageNamed,
   textsFor,
 } from "../words/languages.ts";
 import { plural } from "../words/plural.ts";
@@ -18,8 +17,8 @@ import { en } from "./texts_en.ts";
 /** The texts of the controls, and how numbers are written. */
 export interface Wording {
   readonly texts: ControlTexts;
-  /** A page by its label, such as "Page iv". */
-  readonly pageNamed: string;
+  /** Returns a page by its label, such as "Page iv" or "Cover". */
+  pageNamed(label: string): string;
   number(n: number): string;
   /** The number of a book's pages, as an estimate while it is one. */
   count(book: CountedBook): string;
@@ -33,7 +32,7 @@ export interface Wording {
 export function wordingFor(tag: string): Wording {
   return {
     texts: textsFor(tag, en),
-    pageNamed: elementTexts(tag).pageNamed,
+    pageNamed: (label) => pageNamed(tag, label),
     number: (n) => number(tag, n),
     count: (book) => countOf(tag, book),
     list: (words) => list(tag, words),
@@ -42,9 +41,9 @@ export function wordingFor(tag: string): Wording {
   };
 }
 
-/** Returns a page (from 1) by its own name, such as "Page iv". */
+/** Returns a page (from 1) by its own name, such as "Page iv" or "Cover". */
 export const namePage = (
   { pageNamed }: Wording,
   book: { label(page: number): string },
   page: number,
-): string => fill(pageNamed, { label: book.label(page) });
+): string => pageNamed(book.label(page));

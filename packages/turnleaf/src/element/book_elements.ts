@@ -4,7 +4,7 @@ import { loadPart } from "../sources/load_part.ts";
 import type { PageList } from "../sources/page_list.ts";
 import type { NewIndex, PageSource } from "../sources/page_source.ts";
 import type { Viewer } from "../viewer/viewer.ts";
-import { elementTexts, fill, languageOf } from "../words/languages.ts";
+import { languageOf, pageNamed } from "../words/languages.ts";
 import type { LivePages } from "./live_pages.ts";
 
 /** Turns the open book to a page (from 1), and to a place so far down it, as `top` of `LinkTarget`. */
@@ -63,10 +63,7 @@ export class BookElements {
   #lay(Live: typeof LivePages): LivePages {
     const source = this.#source;
     const live = new Live(this.#element, this.#stage, {
-      name: (page) => {
-        const { pageNamed } = elementTexts(languageOf(this.#element));
-        return fill(pageNamed, { label: source.label(page - 1) });
-      },
+      name: (page) => pageNamed(languageOf(this.#element), source.label(page - 1)),
       pageOf: (element) => {
         for (let index = 0; index < source.pageCount; index++) {
           if (source.element(index) === element) return index + 1;

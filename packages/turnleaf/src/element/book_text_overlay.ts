@@ -8,7 +8,7 @@ import { type SearchHit, searchBook } from "../text/searching.ts";
 import { textStyle } from "../text/text.css.ts";
 import { TextLayer, type TextLayerOptions } from "../text/text_layer.ts";
 import type { Viewer } from "../viewer/viewer.ts";
-import { elementTexts, fill } from "../words/languages.ts";
+import { elementTexts, fill, pageNamed } from "../words/languages.ts";
 import type { RollView } from "./roll_view.ts";
 import { addStyle } from "./shadow_tree.ts";
 
@@ -47,7 +47,7 @@ export class BookTextOverlay {
     };
     const options: TextLayerOptions = {
       source,
-      name: (page) => fill(elementTexts(language()).pageNamed, { label: source.label(page - 1) }),
+      name: (page) => pageNamed(language(), source.label(page - 1)),
       goTo: (page, top) => goTo(page, top ?? 0),
       leaving: (address) => {
         const texts = elementTexts(language());

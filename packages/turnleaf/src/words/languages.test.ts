@@ -8,6 +8,7 @@ import {
   list,
   loadLanguage,
   number,
+  pageNamed,
   textsFor,
 } from "./languages.ts";
 import { plural } from "./plural.ts";
@@ -58,6 +59,14 @@ it("says what errors mean in a language, where that has a sentence for them", as
   addLanguage("de-AT", { errors: { gone: "Weg ist {source}" } as Texts["errors"] });
   expect(errorText("de-AT", "gone")).toBe("Weg ist {source}");
   expect(errorText("de-AT", "empty")).toBe(errorText("de", "empty"));
+});
+
+it("a page is said by its number, in any writing, or by its name alone", () => {
+  const said = ["12", "iv", "XII", "A-3", "Cover", "Plate 3", "表紙"].map((one) =>
+    pageNamed("en", one),
+  );
+  const numbers = ["Page 12", "Page iv", "Page XII", "Page A-3"];
+  expect(said).toEqual([...numbers, "Cover", "Plate 3", "表紙"]);
 });
 
 const names = ["ar", "de", "es", "fr", "ja", "zh"];

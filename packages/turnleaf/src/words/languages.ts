@@ -120,6 +120,20 @@ export function fill(text: string, values: Readonly<Record<string, string>>): st
   );
 }
 
+/** Returns whether a page's label names it, as "Cover" does, and is no number of any kind. */
+export function isName(label: string): boolean {
+  return /\p{L}{2}/u.test(label) && !/^[ivxlcdm]+$/i.test(label);
+}
+
+/**
+ * Returns a page by its label, such as "Page iv" or "Cover".
+ *
+ * @param tag of the language
+ */
+export function pageNamed(tag: string, label: string): string {
+  return isName(label) ? label : fill(elementTexts(tag).pageNamed, { label });
+}
+
 /** Returns a number as a language writes it; plainly if the tag is invalid. */
 export function number(tag: string, n: number): string {
   return attempt(() => new Intl.NumberFormat(tag).format(n)) ?? String(n);

@@ -52,6 +52,8 @@ export interface ControlTexts {
   readonly place: string;
   /** Turns back to the page, by its label, from which the reader has jumped. */
   readonly backTo: string;
+  /** The same, to a page whose label is a name. */
+  readonly backToNamed: string;
   readonly noSuchPage: string;
   readonly zoomIn: string;
   readonly zoomOut: string;

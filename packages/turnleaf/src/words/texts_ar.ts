@@ -28,6 +28,7 @@ export const texts: Texts = {
   pageOf: "{page} من {n}",
   place: "الصفحة {label}، {page} من {n}",
   backTo: "العودة إلى الصفحة {label}",
+  backToNamed: "العودة إلى «{label}»",
   noSuchPage: "لا توجد صفحة {label}",
   zoomIn: "تكبير",
   zoomOut: "تصغير",

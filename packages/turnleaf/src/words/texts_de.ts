@@ -29,6 +29,7 @@ export const texts: Texts = {
   pageOf: "{page} von {n}",
   place: "Seite {label}, {page} von {n}",
   backTo: "Zurück zu Seite {label}",
+  backToNamed: "Zurück zu „{label}“",
   noSuchPage: "Es gibt keine Seite {label}",
   zoomIn: "Vergrößern",
   zoomOut: "Verkleinern",

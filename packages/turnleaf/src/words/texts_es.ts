@@ -29,6 +29,7 @@ export const texts: Texts = {
   pageOf: "{page} de {n}",
   place: "Página {label}, {page} de {n}",
   backTo: "Volver a la página {label}",
+  backToNamed: "Volver a «{label}»",
   noSuchPage: "No hay ninguna página {label}",
   zoomIn: "Ampliar",
   zoomOut: "Reducir",

@@ -29,6 +29,7 @@ export const texts: Texts = {
   pageOf: "{page} sur {n}",
   place: "Page {label}, {page} sur {n}",
   backTo: "Retour à la page {label}",
+  backToNamed: "Retour à « {label} »",
   noSuchPage: "Il n’y a pas de page {label}",
   zoomIn: "Agrandir",
   zoomOut: "Réduire",

@@ -28,6 +28,7 @@ export const texts: Texts = {
   pageOf: "{page} / {n}",
   place: "{label} ページ、{n} ページ中 {page} ページ目",
   backTo: "{label} ページに戻る",
+  backToNamed: "「{label}」に戻る",
   noSuchPage: "{label} ページはありません",
   zoomIn: "拡大",
   zoomOut: "縮小",

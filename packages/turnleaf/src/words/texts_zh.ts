@@ -28,6 +28,7 @@ export const texts: Texts = {
   pageOf: "{page} / {n}",
   place: "页码 {label}，第 {page} 页，共 {n} 页",
   backTo: "返回第 {label} 页",
+  backToNamed: "返回“{label}”",
   noSuchPage: "没有页码 {label}",
   zoomIn: "放大",
   zoomOut: "缩小",
