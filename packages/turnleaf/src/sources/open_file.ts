@@ -20,7 +20,7 @@ import { loadPart } from "./load_part.ts";
 import { type ImageBook, type ImagePage, parseManifest } from "./manifest.ts";
 import { isRecord } from "./manifest_checks.ts";
 import { BookError, type PageSource, type Typography } from "./page_source.ts";
-import type { PdfOptions } from "./pdf.ts";
+import type { PdfOptions } from "./pdf_file.ts";
 
 /** The settings that a format may need. */
 export interface FormatOptions extends PdfOptions {
@@ -80,7 +80,7 @@ const packed: FormatReader = {
 
 const readers: Readonly<Record<OpenedKind, FormatReader>> = {
   pdf: {
-    prepare: async ({ pdfWorker }) => (await import("./pdf.ts")).preparePdf(pdfWorker),
+    prepare: async ({ pdfWorker }) => (await import("./pdf_file.ts")).preparePdf(pdfWorker),
     async open({ name, from, length }, _whole, options) {
       const { openPdf } = await loadPart(import("./pdf.ts"));
       return await openPdf({ name, from, ...(length === undefined ? {} : { length }) }, options);

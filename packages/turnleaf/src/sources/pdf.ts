@@ -1,7 +1,6 @@
-import type { PDFDocumentLoadingTask, PDFDocumentProxy, PDFPageProxy } from "pdfjs-dist";
+import type { PDFDocumentProxy, PDFPageProxy } from "pdfjs-dist";
 import { cleanAddress, cleanLanguage, cleanText, decodeEscapes } from "./book_text.ts";
-import { nameAndMessage, unknownFailure } from "./failures.ts";
-import { brokeOff, httpError } from "./fetch_bytes.ts";
+import { unknownFailure } from "./failures.ts";
 import { fitPixels, isPageSize, limits, wholePage } from "./limits.ts";
 import {
   type BookDetail,
@@ -18,49 +17,31 @@ import {
 } from "./page_source.ts";
 import { altOfPage } from "./pdf_alt.ts";
 import { linksOfPage, PdfForm } from "./pdf_annotations.ts";
-import { type PdfInput, place } from "./pdf_bytes.ts";
+import type { PdfInput } from "./pdf_bytes.ts";
 import { coverPixels, coverTime, isCover } from "./pdf_cover.ts";
+import {
+  isDamage,
+  isTooMuch,
+  isUnreachable,
+  remedy,
+  sentenceFor,
+  takesTooMuch,
+  tooLarge,
+} from "./pdf_failures.ts";
+import { type OpenPdf, PdfFile, type PdfOptions } from "./pdf_file.ts";
 import { lettersOfPage } from "./pdf_letters.ts";
 import { bareMarksOf, drawMarks, notesOfPage, playedOnPage } from "./pdf_marks.ts";
 import { rejectPortfolio } from "./pdf_portfolio.ts";
-import {
-  blobWorker,
-  loadPdfLibrary,
-  PackedDataFactory,
-  type PdfLibrary,
-  rendererAddress,
-  useRenderer,
-} from "./pdf_runtime.ts";
+import { PdfReader } from "./pdf_reader.ts";
+import type { PdfLibrary } from "./pdf_runtime.ts";
 import { outlineOf, PdfTargets } from "./pdf_targets.ts";
 import { textOfPage } from "./pdf_text.ts";
-import { notStarted, PdfThread, WorkerNotStarted } from "./pdf_thread.ts";
 import { orAborted } from "./shared_tasks.ts";
 import { lostLines, WarningList, warningOf } from "./warnings.ts";
 
 /** Bits of a protected file's permissions, as ISO 32000 numbers them. */
 const permission = { print: 0x04, copy: 0x10 } as const;
 
-export interface PdfOptions {
-  /** Absolute address of this package's pdf-worker.js, for pages whose security policy forbids blob workers. */
-  readonly pdfWorker?: string | undefined;
-  /** The password of a protected file. */
-  readonly password?: string | undefined;
-  /**
-   * Returns the password of a protected file, or null to give up.
-   *
-   * @param isWrong whether one was given that is not the file's
-   */
-  readonly askPassword?: (isWrong: boolean) => Promise<string | null>;
-  /** Aborts the opening. */
-  readonly signal?: AbortSignal;
-  /** What stands behind "#" in the address: it may name a place at which to open. */
-  readonly fragment?: string;
-}
-
-/** Bytes of one such piece. */
-const piece = 1 << 16;
-/** Milliseconds that a worker has to end by itself before it is terminated. */
-const closingTime = 2000;
 /** Authors of a book that are shown. */
 const mostAuthors = 50;
 /** Pages whose parsed content is kept, so that drawing them sharper is quick. */
@@ -74,90 +55,26 @@ export async function openPdf(input: PdfInput, options: PdfOptions = {}): Promis
   const { signal } = options;
   signal?.throwIfAborted();
   if ((input.length ?? 0) > limits.pdfBytes) throw tooLarge(input.name);
-  const thread = await startThread(input.name, options);
-  const { pdfjs } = thread;
-  let task: PDFDocumentLoadingTask | undefined;
-  const stop = (): void => {
-    const force = setTimeout(thread.stop, closingTime);
-    Promise.resolve(task?.destroy())
-      .catch(() => {})
-      .finally(() => {
-        clearTimeout(force);
-        thread.stop();
-      });
-  };
+  const file = new PdfFile(input, options);
+  const open = await file.open(signal);
+  const { thread } = open;
   try {
-    const from = await place(pdfjs, input);
-    const renderer = await rendererAddress(options.pdfWorker);
-    signal?.throwIfAborted();
-    useRenderer(pdfjs, renderer);
-    task = pdfjs.getDocument({
-      ...from,
-      worker: thread.worker,
-      rangeChunkSize: piece,
-      maxImageSize: limits.imagePixels,
-      BinaryDataFactory: PackedDataFactory,
-      useWorkerFetch: false,
-      enableXfa: false,
-      verbosity: pdfjs.VerbosityLevel.ERRORS,
-      ...(options.password ? { password: options.password } : {}),
-    });
-    const { askPassword } = options;
-    if (askPassword) {
-      task.onPassword = (respond: (password: string | Error) => void, reason: number) => {
-        const isWrong = reason === pdfjs.PasswordResponses.INCORRECT_PASSWORD;
-        askPassword(isWrong)
-          .then((password) => respond(password ?? new Error("No password is given.")))
-          .catch(respond);
-      };
-    }
-    const opening = thread.orFailed(
-      Promise.race([describe(task, input, options.fragment), grownTooLarge(task, input)]),
-    );
+    const opening = thread.orFailed(describe(open.document, input, options.fragment));
     const description = await (signal ? orAborted(opening, signal) : opening);
-    const source = new PdfSource(thread, description, stop);
+    const source = new PdfSource(file, open, description);
     await source.findCover(signal ?? new AbortController().signal);
     return source;
   } catch (error) {
-    stop();
+    open.close();
     signal?.throwIfAborted();
-    throw sentenceFor(pdfjs, error, input.name, options.pdfWorker);
+    throw sentenceFor(thread.pdfjs, error, input.name, options.pdfWorker);
   }
 }
 
-/**
- * Starts loading all that reads a PDF, at the same time.
- *
- * @param pdfWorker as of `PdfOptions`
- */
-export function preparePdf(pdfWorker?: string): void {
-  const workers = pdfWorker ? [] : [blobWorker(), rendererAddress()];
-  // What fails is reported where it is used.
-  for (const part of [loadPdfLibrary(), ...workers]) part.catch(() => {});
-}
-
-/**
- * Loads pdf.js and starts its worker. Rejects with a `BookError` if the browser
- * does not allow it.
- */
-async function startThread(name: string, { pdfWorker, signal }: PdfOptions): Promise<PdfThread> {
-  try {
-    preparePdf(pdfWorker);
-    const thread = await PdfThread.start(loadPdfLibrary(), pdfWorker);
-    if (signal?.aborted) thread.stop();
-    signal?.throwIfAborted();
-    return thread;
-  } catch (error) {
-    signal?.throwIfAborted();
-    if (error instanceof WorkerNotStarted) throw notStarted(name, pdfWorker, error);
-    throw unknownFailure(`${name} cannot be read`, error, remedy, { source: name });
-  }
-}
-
-/** The properties of an open document. */
+/** The properties of a document. */
 interface Description {
   readonly name: string;
-  readonly document: PDFDocumentProxy;
+  readonly pageCount: number;
   readonly title: string;
   readonly language: string;
   readonly direction: "ltr" | "rtl";
@@ -165,8 +82,6 @@ interface Description {
   readonly labels: readonly string[] | null;
   readonly openingPage: number;
   readonly allows: { readonly print: boolean; readonly copy: boolean };
-  readonly targets: PdfTargets;
-  readonly form: PdfForm;
 }
 
 /**
@@ -209,11 +124,10 @@ function detailsOf(
 }
 
 async function describe(
-  task: PDFDocumentLoadingTask,
+  document: PDFDocumentProxy,
   input: PdfInput,
   fragment = "",
 ): Promise<Description> {
-  const document = await task.promise;
   const count = document.numPages;
   if (count < 1)
     throw new BookError(`${input.name} has no pages; choose another file.`, {
@@ -239,7 +153,7 @@ async function describe(
   rejectXfa(info, input.name);
   return {
     name: input.name,
-    document,
+    pageCount: count,
     title: cleanText(metadata?.metadata?.get("dc:title")) || cleanText(info.Title) || input.name,
     language: cleanLanguage(info.Language),
     details: detailsOf(metadata?.metadata, info),
@@ -250,8 +164,6 @@ async function describe(
       print: permissions?.has(permission.print) ?? true,
       copy: permissions?.has(permission.copy) ?? true,
     },
-    targets,
-    form: new PdfForm(document),
   };
 }
 
@@ -284,33 +196,35 @@ class PdfSource implements PageSource {
    * book, whose second page is on the back of the cover: its even pages are versos.
    */
   cover: "none" | undefined = "none";
-  readonly #thread: PdfThread;
+  readonly #reader: PdfReader;
+  readonly #pdfjs: PdfLibrary;
   readonly #name: string;
-  readonly #document: PDFDocumentProxy;
   readonly #labels: readonly string[] | null;
-  readonly #targets: PdfTargets;
   readonly #form: PdfForm;
   readonly #warnings = new WarningList();
-  readonly #stop: () => void;
+  #targets: PdfTargets;
   /** Pages in the order in which they were last drawn. */
   readonly #drawn = new Map<number, PDFPageProxy>();
   #closed = false;
 
-  constructor(thread: PdfThread, description: Description, stop: () => void) {
+  constructor(file: PdfFile, open: OpenPdf, description: Description) {
     this.title = description.title;
     this.language = description.language;
     this.details = description.details;
     this.direction = description.direction;
-    this.pageCount = description.document.numPages;
+    this.pageCount = description.pageCount;
     this.openingPage = description.openingPage;
     this.allows = description.allows;
-    this.#thread = thread;
+    this.#reader = new PdfReader(file, open, ({ document }) => {
+      this.#drawn.clear();
+      this.#targets = new PdfTargets(document);
+      this.#form.moveTo(document);
+    });
+    this.#pdfjs = open.thread.pdfjs;
     this.#name = description.name;
-    this.#document = description.document;
     this.#labels = description.labels;
-    this.#targets = description.targets;
-    this.#form = description.form;
-    this.#stop = stop;
+    this.#targets = new PdfTargets(open.document);
+    this.#form = new PdfForm(open.document);
   }
 
   /**
@@ -321,8 +235,9 @@ class PdfSource implements PageSource {
     if (this.pageCount < 2) return;
     const inTime = AbortSignal.any([signal, AbortSignal.timeout(coverTime)]);
     try {
-      const page = await this.#page(0, inTime);
-      const small = await this.#render(page, 0, coverPixels, wholePage, inTime);
+      const small = await this.#read(0, "cover", inTime, (page, ended) =>
+        this.#render(page, 0, coverPixels, wholePage, ended),
+      );
       const { width, height } = small;
       const pen = new OffscreenCanvas(width, height).getContext("2d");
       pen?.drawImage(small, 0, 0);
@@ -348,7 +263,7 @@ class PdfSource implements PageSource {
   }
 
   async size(index: number, signal?: AbortSignal): Promise<PageSize> {
-    return this.#sizeOf(await this.#page(index, signal), index);
+    return await this.#read(index, "size", signal, async (page) => this.#sizeOf(page, index));
   }
 
   widthInMetres(size: PageSize): number {
@@ -365,17 +280,16 @@ class PdfSource implements PageSource {
     signal: AbortSignal,
     region: PageBox = wholePage,
   ): Promise<PagePicture> {
-    const page = await this.#page(index, signal);
-    for (let isFirst = true; ; isFirst = false) {
-      try {
-        const bitmap = await this.#render(page, index, width, region, signal);
-        this.#keep(index, page);
-        return bitmap;
-      } catch (error) {
+    return await this.#read(index, "page", signal, async (page, ended) => {
+      const draw = () => this.#render(page, index, width, region, ended);
+      const bitmap = await draw().catch((error: unknown) => {
+        if (ended.aborted) throw error;
         // pdf.js's worker may drop a drawing while it frees what other drawings of the page used.
-        if (!isFirst || signal.aborted) throw this.#failureOf(error, index, signal);
-      }
-    }
+        return draw();
+      });
+      this.#keep(index, page);
+      return bitmap;
+    });
   }
 
   /** Draws a part of a page once. Rejects with the error of pdf.js. */
@@ -393,7 +307,7 @@ class PdfSource implements PageSource {
     const scale = pixels.width / part.width;
     const offsetX = -region.x * size.width * scale;
     const offsetY = -region.y * size.height * scale;
-    const modes = this.#thread.pdfjs.AnnotationMode;
+    const modes = this.#pdfjs.AnnotationMode;
     const task = page.render({
       canvas: canvas as unknown as HTMLCanvasElement,
       viewport: page.getViewport({ scale, offsetX, offsetY }),
@@ -402,7 +316,7 @@ class PdfSource implements PageSource {
     const cancel = (): void => task.cancel();
     signal.addEventListener("abort", cancel, { once: true });
     try {
-      const [marks] = await this.#thread.orFailed(Promise.all([bareMarksOf(page), task.promise]));
+      const [marks] = await Promise.all([bareMarksOf(page), task.promise]);
       signal.throwIfAborted();
       if (marks.length > 0) {
         const pen = canvas.getContext("2d") as OffscreenCanvasRenderingContext2D;
@@ -419,18 +333,18 @@ class PdfSource implements PageSource {
   }
 
   async text(index: number, signal: AbortSignal, exact = false): Promise<readonly TextRun[]> {
-    return await this.#read(index, signal, (page) => {
-      const letters = exact ? () => lettersOfPage(this.#thread.pdfjs, page) : undefined;
+    return await this.#read(index, exact ? "letters" : "text", signal, (page) => {
+      const letters = exact ? () => lettersOfPage(this.#pdfjs, page) : undefined;
       return textOfPage(page, signal, letters);
     });
   }
 
   async alt(index: number, signal: AbortSignal): Promise<string> {
-    return await this.#read(index, signal, altOfPage);
+    return await this.#read(index, "alt", signal, altOfPage);
   }
 
   async links(index: number, signal: AbortSignal): Promise<readonly PageLink[]> {
-    return await this.#read(index, signal, async (page) => {
+    return await this.#read(index, "links", signal, async (page) => {
       const played = await playedOnPage(page);
       const warnings = played.map((one) => warningOf("medium", one, this.#name));
       this.#warnings.add(...warnings.map((warning) => ({ ...warning, page: index + 1 })));
@@ -439,7 +353,7 @@ class PdfSource implements PageSource {
   }
 
   async fields(index: number, signal: AbortSignal): Promise<readonly PageField[]> {
-    return await this.#read(index, signal, (page) => this.#form.fieldsOf(page));
+    return await this.#read(index, "fields", signal, (page) => this.#form.fieldsOf(page));
   }
 
   fill(_index: number, name: string, value: string): void {
@@ -447,25 +361,25 @@ class PdfSource implements PageSource {
   }
 
   async outline(signal: AbortSignal): Promise<readonly OutlineEntry[]> {
-    const outline = this.#thread.orFailed(outlineOf(this.#document, this.#targets));
     try {
-      const lines = await orAborted(outline, signal);
+      const read = ({ document }: OpenPdf) => outlineOf(document, this.#targets);
+      const lines = await this.#reader.run("outline", read, signal);
       this.#warnings.add(...lostLines(lines, this.#name));
       return lines;
     } catch (error) {
       signal.throwIfAborted();
-      throw sentenceFor(this.#thread.pdfjs, error, this.#name);
+      throw sentenceFor(this.#pdfjs, error, this.#name);
     }
   }
 
   async file(): Promise<Blob> {
-    const document = this.#document;
-    const bytes = this.#form.isFilled ? document.saveDocument() : document.getData();
     try {
-      const file = (await this.#thread.orFailed(bytes)) as Uint8Array<ArrayBuffer>;
-      return new Blob([file], { type: "application/pdf" });
+      const bytes = await this.#reader.run("file", ({ document }) =>
+        this.#form.isFilled ? document.saveDocument() : document.getData(),
+      );
+      return new Blob([bytes as Uint8Array<ArrayBuffer>], { type: "application/pdf" });
     } catch (error) {
-      throw sentenceFor(this.#thread.pdfjs, error, this.#name);
+      throw sentenceFor(this.#pdfjs, error, this.#name);
     }
   }
 
@@ -473,20 +387,32 @@ class PdfSource implements PageSource {
     if (this.#closed) return;
     this.#closed = true;
     this.#drawn.clear();
-    // A worker that ends sends nothing more to those that wait.
-    this.#thread.giveUp(this.#closedError());
-    this.#stop();
+    const detail = { code: "closed", source: this.#name } as const;
+    this.#reader.close(new BookError(`${this.#name} is closed; open it again.`, detail));
   }
 
-  /** Returns the result of `read` on a page. Rejects as `draw` does. */
+  /**
+   * Returns the result of `read` on a page. Rejects with a `BookError`, or with the signal's reason.
+   *
+   * @param part what is read of it, which has a time of its own
+   *
+   * @param read is given the page, and a signal that its result is not wanted any more
+   */
   async #read<T>(
     index: number,
-    signal: AbortSignal,
-    read: (page: PDFPageProxy) => Promise<T>,
+    part: string,
+    signal: AbortSignal | undefined,
+    read: (page: PDFPageProxy, ended: AbortSignal) => Promise<T>,
   ): Promise<T> {
-    const page = await this.#page(index, signal);
+    const readPage = async ({ document, ended }: OpenPdf) =>
+      await read(
+        await document.getPage(index + 1),
+        signal ? AbortSignal.any([signal, ended]) : ended,
+      );
+    // A page that cannot be drawn has its size all the same.
+    const whole = part === "size" ? part : "page";
     try {
-      return await orAborted(this.#thread.orFailed(read(page)), signal);
+      return await this.#reader.run(`${part} ${index}`, readPage, signal, `${whole} ${index}`);
     } catch (error) {
       throw this.#failureOf(error, index, signal);
     }
@@ -498,24 +424,6 @@ class PdfSource implements PageSource {
     throw new BookError(`Page ${index + 1} of ${this.#name} has no usable size; repair the file.`, {
       code: "damaged",
       page: index + 1,
-      source: this.#name,
-    });
-  }
-
-  async #page(index: number, signal?: AbortSignal): Promise<PDFPageProxy> {
-    signal?.throwIfAborted();
-    if (this.#closed) throw this.#closedError();
-    try {
-      const page = this.#thread.orFailed(this.#document.getPage(index + 1));
-      return await (signal ? orAborted(page, signal) : page);
-    } catch (error) {
-      throw this.#failureOf(error, index, signal);
-    }
-  }
-
-  #closedError(): BookError {
-    return new BookError(`${this.#name} is closed; open it again.`, {
-      code: "closed",
       source: this.#name,
     });
   }
@@ -535,9 +443,10 @@ class PdfSource implements PageSource {
   #failureOf(error: unknown, index: number, signal?: AbortSignal): unknown {
     if (signal?.aborted) return signal.reason;
     if (error instanceof BookError) return error;
-    const { pdfjs } = this.#thread;
+    const pdfjs = this.#pdfjs;
     const page = `Page ${index + 1} of ${this.#name}`;
     const detail = { page: index + 1, source: this.#name };
+    if (isTooMuch(error)) return takesTooMuch(page, "a page", detail);
     if (isDamage(pdfjs, error)) {
       const sentence = `${page} is damaged and cannot be drawn; repair the file or get it again.`;
       return new BookError(sentence, { ...detail, code: "damaged", cause: error });
@@ -547,61 +456,4 @@ class PdfSource implements PageSource {
     }
     return unknownFailure(`${page} cannot be drawn`, error, remedy, detail);
   }
-}
-
-/** Rejects once more bytes have arrived than a PDF may have, if the server did not say how many. */
-function grownTooLarge(task: PDFDocumentLoadingTask, { name }: PdfInput): Promise<never> {
-  return new Promise((_, reject) => {
-    task.onProgress = ({ loaded }: { loaded: number }) => {
-      if (loaded > limits.pdfBytes) reject(tooLarge(name));
-    };
-  });
-}
-
-function tooLarge(name: string): BookError {
-  return new BookError(
-    `${name} is larger than ${Math.floor(limits.pdfBytes / 1e6)} MB; split it and open a part.`,
-    { code: "tooLarge", source: name },
-  );
-}
-
-/** The remedy for an error of the browser or the file, whichever it is. */
-const remedy = "update the browser, or get the file again";
-
-/** Returns the sentence that explains why a document cannot be read. */
-function sentenceFor(
-  pdfjs: PdfLibrary,
-  error: unknown,
-  name: string,
-  pdfWorker?: string,
-): BookError {
-  if (error instanceof BookError) return error;
-  if (error instanceof pdfjs.PasswordException) {
-    return new BookError(
-      `${name} is protected by a password; remove the password and open it again.`,
-      { code: "locked", source: name },
-    );
-  }
-  if (error instanceof pdfjs.ResponseException) return httpError(error.status, name);
-  if (isUnreachable(error)) return brokeOff(name);
-  if (error instanceof WorkerNotStarted) return notStarted(name, pdfWorker, error);
-  if (isDamage(pdfjs, error)) {
-    const sentence = `${name} is damaged or no PDF; repair the file or get it again.`;
-    return new BookError(sentence, { code: "damaged", source: name, cause: error });
-  }
-  return unknownFailure(`${name} cannot be read`, error, remedy, { source: name });
-}
-
-/** Returns whether an error of pdf.js means that the file is damaged. */
-function isDamage(pdfjs: PdfLibrary, error: unknown): boolean {
-  if (error instanceof pdfjs.InvalidPDFException) return true;
-  // Errors of the worker come with their own name and message as `details`.
-  return /^(FormatError|ParserEOFException|XRef\w+Exception|(Jpeg|Jpx|Jbig2|\w+Marker)Error)\b/.test(
-    nameAndMessage(error),
-  );
-}
-
-/** Returns whether an error is of the connection: each browser has its own message, and no code. */
-function isUnreachable(error: unknown): boolean {
-  return /(failed to fetch|networkerror|load failed|network error)/i.test(nameAndMessage(error));
 }
