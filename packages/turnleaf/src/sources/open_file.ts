@@ -80,7 +80,7 @@ const packed: FormatReader = {
 
 const readers: Readonly<Record<OpenedKind, FormatReader>> = {
   pdf: {
-    prepare: async ({ pdfWorker }) => (await import("./pdf_file.ts")).preparePdf(pdfWorker),
+    prepare: async ({ pdfWorker }) => (await import("./pdf.ts")).preparePdf(pdfWorker),
     async open({ name, from, length }, _whole, options) {
       const { openPdf } = await loadPart(import("./pdf.ts"));
       return await openPdf({ name, from, ...(length === undefined ? {} : { length }) }, options);

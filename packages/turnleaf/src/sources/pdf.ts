@@ -39,6 +39,8 @@ import { textOfPage } from "./pdf_text.ts";
 import { orAborted } from "./shared_tasks.ts";
 import { lostLines, WarningList, warningOf } from "./warnings.ts";
 
+export { preparePdf } from "./pdf_file.ts";
+
 /** Bits of a protected file's permissions, as ISO 32000 numbers them. */
 const permission = { print: 0x04, copy: 0x10 } as const;
 

@@ -30,7 +30,7 @@ export class PdfReader {
   readonly #stalled = new Set<string>();
   #closed: Error | null = null;
 
-  /** @param onReopened is told of a document that was opened anew, before anything is read of it */
+  /** @param onReopened receives a document that was opened anew, before anything is read of it */
   constructor(file: PdfFile, open: OpenPdf, onReopened: (open: OpenPdf) => void) {
     this.#file = file;
     this.#open = open;
