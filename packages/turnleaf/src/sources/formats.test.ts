@@ -20,7 +20,12 @@ const images = {
   "image/jxl": ["\0\0\0\x0cJXL \r\n\x87\n", "\xff\x0a"],
   "image/heic": ["\0\0\0\x18ftypheic", "\0\0\0\x18ftypmif1"],
   "image/bmp": ["BM\0\0\0\0\0\0\0\0"],
-  "image/svg+xml": ["<svg xmlns=", '<?xml version="1.0"?>\n<svg>', "<!doctype svg><svg>"],
+  "image/svg+xml": [
+    "<svg xmlns=",
+    '<?xml version="1.0"?>\n<svg>',
+    "<!doctype svg><svg>",
+    "\xff\xfe<\0s\0v\0g\0 \0",
+  ],
   "image/avif": ["\0\0\0\x20ftypavif", "\0\0\0\x20ftypavis"],
 };
 

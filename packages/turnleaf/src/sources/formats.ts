@@ -389,8 +389,9 @@ function imageFormat(start: Uint8Array): FileFormat | null {
   return formatOfFile({ start, type: "" }, images);
 }
 
-/** Returns whether a file is a drawing. Markdown may begin with one. */
-function isSvg({ type, words }: FirstBytes): boolean {
+/** Returns whether a file is a drawing, in UTF-16 too. Markdown may begin with one. */
+function isSvg({ type, text }: FirstBytes): boolean {
+  const words = wordsOf(narrowed(text));
   return (
     type !== "text/markdown" &&
     /^<(\?xml|!--|!doctype svg|([\w-]+:)?svg[\s>])/i.test(words) &&
@@ -410,7 +411,7 @@ const fictionBook = [/^<(\?xml|!--|!doctype fictionbook|fictionbook)/i, /<fictio
 
 /** Returns whether a file is a FictionBook, in UTF-16 too. */
 function isFictionBook({ text }: FirstBytes): boolean {
-  const words = wordsOf(text.replace(/^(\xff\xfe|\xfe\xff)/, "").replaceAll("\0", ""));
+  const words = wordsOf(narrowed(text));
   return fictionBook.every((mark) => mark.test(words));
 }
 
@@ -444,6 +445,11 @@ function isText({ start, type, text }: FirstBytes): boolean {
   } catch {
     return type.startsWith("text/");
   }
+}
+
+/** Returns the letters of ASCII in text that may be in UTF-16, each byte a character. */
+function narrowed(text: string): string {
+  return text.replace(/^(\xff\xfe|\xfe\xff)/, "").replaceAll("\0", "");
 }
 
 function wordsOf(text: string): string {

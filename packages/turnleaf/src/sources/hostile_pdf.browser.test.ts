@@ -3,6 +3,10 @@
 import { afterEach, beforeEach, expect, test } from "vitest";
 import { commands } from "vitest/browser";
 import { clock } from "../for_tests/clock.ts";
+import { hostilePdfs } from "../for_tests/hostile_pdfs.ts";
+import { isLong } from "../for_tests/long.ts";
+import { messageOf } from "../for_tests/source_pages.ts";
+import { limits } from "./limits.ts";
 import { openSource } from "./open.ts";
 import { BookError, type PageSource } from "./page_source.ts";
 import { jpeg2000, type TinyPdf, tinyPdf } from "./tiny_pdf.ts";
@@ -163,6 +167,91 @@ test.each(Object.keys(broken))("a PDF with %s", async (what) => {
     await read(source as PageSource);
     (source as PageSource).close();
   }
+  await expectQuiet();
+});
+
+/** What stalls a page, or the opening of the book. */
+const stalling: Readonly<Record<string, "page" | "book">> = {
+  "forms tenfold nested": "page",
+  "transparent forms tenfold nested": "page",
+  "tiles in tiles": "page",
+  "one link 300,000 times": "page",
+  "an encryption of a huge key": "book",
+};
+
+test.each(Object.entries(stalling))(
+  "with %s says so of the %s, and the rest is read",
+  async (what, where) => {
+    // A tenth of the time that a page has suffices to see that it ends, and that the ordinary one is drawn.
+    const { pdfTime, pdfSteps } = limits;
+    Object.assign(limits, { pdfTime: 1500, pdfSteps: 50_000 });
+    try {
+      const bytes = await hostilePdfs[what]?.();
+      const opening = openSource(new File([bytes as Uint8Array<ArrayBuffer>], "a.pdf"));
+      if (where === "book") {
+        expect(await messageOf(opening)).toBe(
+          "a.pdf takes more time or memory than a book may; make it simpler.",
+        );
+      } else {
+        const source = await opening;
+        const [drawing, others] = [messageOf(source.draw(0, 300, never)), read(source)];
+        const picture = await source.draw(1, 300, never);
+        expect(picture.width).toBe(300);
+        const sentence =
+          "Page 1 of a.pdf takes more time or memory than a page may; make it simpler.";
+        expect(await drawing).toBe(sentence);
+        expect(await messageOf(source.draw(0, 900, never))).toBe(sentence);
+        await others;
+        expect(await source.size(0)).toEqual({ width: 200, height: 300 });
+        source.close();
+      }
+    } finally {
+      Object.assign(limits, { pdfTime, pdfSteps });
+    }
+    await expectQuiet();
+  },
+);
+
+test.skipIf(!isLong).each(Object.keys(hostilePdfs))(
+  "%s ends in a page or a sentence",
+  async (what) => {
+    const bytes = await hostilePdfs[what]?.();
+    const opening = openSource(new File([bytes as Uint8Array<ArrayBuffer>], "a.pdf"), {
+      askPassword: async () => null,
+    });
+    const source = await opening.catch((error: unknown) => error);
+    if (source instanceof Error) expect(source).toBeInstanceOf(BookError);
+    else {
+      await read(source as PageSource);
+      (source as PageSource).close();
+    }
+    await expectQuiet();
+  },
+);
+
+test("what is filled in a form is there after its worker was started anew", async () => {
+  const { pdfSteps } = limits;
+  const source = await openSource(
+    tinyPdf({
+      pages: ["0 0 m S ".repeat(600), ""],
+      catalog: "/AcroForm << /Fields [10 0 R] >>",
+      objects: [
+        "<< /Type /Annot /Subtype /Widget /FT /Tx /T (name) /V (A) /Rect [20 20 180 40] >>",
+      ],
+      entries: ["", "/Annots [10 0 R]"],
+    }),
+  );
+  expect(await source.fields?.(1, never)).toMatchObject([{ name: "name", value: "A" }]);
+  source.fill?.(1, "name", "Ishmael");
+  Object.assign(limits, { pdfSteps: 500 });
+  try {
+    expect(await messageOf(source.draw(0, 30, never))).toMatch(/more time or memory/);
+  } finally {
+    Object.assign(limits, { pdfSteps });
+  }
+  expect(await source.fields?.(1, never)).toMatchObject([{ name: "name", value: "Ishmael" }]);
+  expect(await (await source.file?.())?.text()).toContain("(Ishmael)");
+  source.close();
   await expectQuiet();
 });
 

@@ -25,11 +25,21 @@ const heifLength = 1 << 16;
 /** Bytes of a JPEG in which its size is searched for at last: previews and profiles may come before. */
 const longestHeader = 1 << 24;
 
-const readers: Readonly<Record<string, typeof JPG>> = {
+/** Bytes of the header of a BMP as OS/2 wrote it, which has its size in two bytes a side. */
+const os2Header = 12;
+
+/** Returns the size that a BMP's header says. */
+function calculateBmp(input: Uint8Array): ReturnType<typeof BMP.calculate> {
+  const view = new DataView(input.buffer, input.byteOffset, input.byteLength);
+  if (view.getUint32(14, true) !== os2Header) return BMP.calculate(input);
+  return { width: view.getUint16(18, true), height: view.getUint16(20, true) };
+}
+
+const readers: Readonly<Record<string, Pick<typeof JPG, "calculate">>> = {
   "image/png": PNG,
   "image/jpeg": JPG,
   "image/gif": GIF,
-  "image/bmp": BMP,
+  "image/bmp": { calculate: calculateBmp },
   "image/webp": WEBP,
 };
 

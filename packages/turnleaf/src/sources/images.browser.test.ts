@@ -277,6 +277,17 @@ describe("an SVG", () => {
     expect(await (await open(root(attributes))).size(0)).toEqual({ width, height });
   });
 
+  it.each([
+    ["UTF-16", [0xff, 0xfe], 2],
+    ["windows-1251", [], 1],
+  ] as const)("in %s is drawn, whatever its encoding", async (encoding, mark, width) => {
+    const text = `<?xml version="1.0" encoding="${encoding}"?><svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9"><title>\u00e9</title><rect width="9" height="9" fill="#00f"/></svg>`;
+    const bytes = [...text].flatMap((letter) => [letter.charCodeAt(0), 0].slice(0, width));
+    const source = await openSource(new File([new Uint8Array([...mark, ...bytes])], "a.svg"));
+    expect(await source.size(0)).toEqual({ width: 9, height: 9 });
+    expect(coloursOf(await source.draw(0, 20, never), [0.5, 0.5])).toEqual(["0,0,255"]);
+  });
+
   it("is drawn sharp at any width, all of it or a part", async () => {
     const rect = '<rect x="5" y="10" width="5" height="10" fill="#00f"/>';
     const source = await open(
@@ -492,6 +503,18 @@ describe("images that browsers show and decode less readily", () => {
     expect(await source.size(0)).toEqual({ width: 200, height: 300 });
     const { width, height } = await pixelsOf(file, 100);
     expect([width, height]).toEqual([100, 150]);
+  });
+
+  it("shows a BMP as OS/2 wrote it", async () => {
+    // Two pixels of 24 bits, one above the other, each row filled to four bytes.
+    const header = [
+      66, 77, 34, 0, 0, 0, 0, 0, 0, 0, 26, 0, 0, 0, 12, 0, 0, 0, 1, 0, 2, 0, 1, 0, 24, 0,
+    ];
+    const bytes = new Uint8Array([...header, 0, 0, 255, 0, 255, 0, 0, 0]);
+    const source = await openSource(new File([bytes], "a.bmp"));
+    expect(await source.size(0)).toEqual({ width: 1, height: 2 });
+    const { data } = await pixelsOf(new File([bytes], "a.bmp"), 1);
+    expect([...data]).toEqual([0, 0, 255, 255, 255, 0, 0, 255]);
   });
 
   it("shows a BMP", async () => {

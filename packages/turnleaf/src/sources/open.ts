@@ -8,7 +8,7 @@ import { openFile, openImages, pagesOfImage, prepareFor } from "./open_file.ts";
 import { pageOfHash } from "./page_hash.ts";
 import { PageList } from "./page_list.ts";
 import { BookError, type PageSource, type Typography } from "./page_source.ts";
-import type { PdfOptions } from "./pdf.ts";
+import type { PdfOptions } from "./pdf_file.ts";
 
 /**
  * What can be opened: an address, images in order, a manifest, a file that was

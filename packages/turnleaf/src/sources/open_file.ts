@@ -18,7 +18,7 @@ import { loadPart } from "./load_part.ts";
 import { type ImageBook, type ImagePage, parseManifest } from "./manifest.ts";
 import { isRecord } from "./manifest_checks.ts";
 import { BookError, type PageSource, type Typography } from "./page_source.ts";
-import type { PdfOptions } from "./pdf.ts";
+import type { PdfOptions } from "./pdf_file.ts";
 
 /** The settings that a format may need. */
 export interface FormatOptions extends PdfOptions {

@@ -223,7 +223,8 @@ describe("a PDF", () => {
     const source = await openTiny({ pages: [red] });
     await source.draw(0, 20, never);
     source.close();
-    await eventually(() => ended).toEqual(new Set(started));
+    // Those of books that were closed before may end meanwhile.
+    await eventually(() => started.filter((one) => !ended.has(one))).toEqual([]);
     expect(started.length).toBe(2);
     vi.unstubAllGlobals();
   });

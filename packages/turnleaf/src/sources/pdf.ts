@@ -1,50 +1,22 @@
 /** Opens PDFs by pdf.js. */
 
-import type { PDFDocumentLoadingTask, PDFDocumentProxy } from "pdfjs-dist";
+import type { PDFDocumentProxy } from "pdfjs-dist";
 import { cleanAddress, cleanLanguage, cleanText, decodeEscapes } from "./book_text.ts";
-import { unknownFailure } from "./failures.ts";
 import { limits } from "./limits.ts";
 import { type BookDetail, BookError, type PageSource } from "./page_source.ts";
-import { PdfForm } from "./pdf_annotations.ts";
-import { type PdfInput, place } from "./pdf_bytes.ts";
-import { remedy, sentenceFor } from "./pdf_failures.ts";
+import type { PdfInput } from "./pdf_bytes.ts";
+import { sentenceFor, tooLarge } from "./pdf_failures.ts";
+import { PdfFile, type PdfOptions } from "./pdf_file.ts";
 import { rejectPortfolio } from "./pdf_portfolio.ts";
-import {
-  blobWorker,
-  loadPdfLibrary,
-  PackedDataFactory,
-  rendererAddress,
-  useRenderer,
-} from "./pdf_runtime.ts";
 import { type PdfDescription, PdfSource } from "./pdf_source.ts";
 import { PdfTargets } from "./pdf_targets.ts";
-import { notStarted, PdfThread, WorkerNotStarted } from "./pdf_thread.ts";
 import { orAborted } from "./shared_tasks.ts";
+
+export { preparePdf } from "./pdf_file.ts";
 
 /** Bits of a protected file's permissions, as ISO 32000 numbers them. */
 const permission = { print: 0x04, copy: 0x10 } as const;
 
-export interface PdfOptions {
-  /** Absolute address of this package's pdf-worker.js, for pages whose security policy forbids blob workers. */
-  readonly pdfWorker?: string | undefined;
-  /** The password of a protected file. */
-  readonly password?: string | undefined;
-  /**
-   * Returns the password of a protected file, or null to give up.
-   *
-   * @param isWrong whether one was given that is not the file's
-   */
-  readonly askPassword?: (isWrong: boolean) => Promise<string | null>;
-  /** Aborts the opening. */
-  readonly signal?: AbortSignal;
-  /** What stands behind "#" in the address: it may name a place at which to open. */
-  readonly fragment?: string;
-}
-
-/** Bytes of one such piece. */
-const piece = 1 << 16;
-/** Milliseconds that a worker has to end by itself before it is terminated. */
-const closingTime = 2000;
 /** Authors of a book that are shown. */
 const mostAuthors = 50;
 /**
@@ -55,83 +27,19 @@ export async function openPdf(input: PdfInput, options: PdfOptions = {}): Promis
   const { signal } = options;
   signal?.throwIfAborted();
   if ((input.length ?? 0) > limits.pdfBytes) throw tooLarge(input.name);
-  const thread = await startThread(input.name, options);
-  const { pdfjs } = thread;
-  let task: PDFDocumentLoadingTask | undefined;
-  const stop = (): void => {
-    const force = setTimeout(thread.stop, closingTime);
-    Promise.resolve(task?.destroy())
-      .catch(() => {})
-      .finally(() => {
-        clearTimeout(force);
-        thread.stop();
-      });
-  };
+  const file = new PdfFile(input, options);
+  const open = await file.open(signal);
+  const { thread } = open;
   try {
-    const from = await place(pdfjs, input);
-    const renderer = await rendererAddress(options.pdfWorker);
-    signal?.throwIfAborted();
-    useRenderer(pdfjs, renderer);
-    task = pdfjs.getDocument({
-      ...from,
-      worker: thread.worker,
-      rangeChunkSize: piece,
-      maxImageSize: limits.imagePixels,
-      BinaryDataFactory: PackedDataFactory,
-      useWorkerFetch: false,
-      enableXfa: false,
-      verbosity: pdfjs.VerbosityLevel.ERRORS,
-      ...(options.password ? { password: options.password } : {}),
-    });
-    const { askPassword } = options;
-    if (askPassword) {
-      task.onPassword = (respond: (password: string | Error) => void, reason: number) => {
-        const isWrong = reason === pdfjs.PasswordResponses.INCORRECT_PASSWORD;
-        askPassword(isWrong)
-          .then((password) => respond(password ?? new Error("No password is given.")))
-          .catch(respond);
-      };
-    }
-    const opening = thread.orFailed(
-      Promise.race([describe(task, input, options.fragment), grownTooLarge(task, input)]),
-    );
+    const opening = thread.orFailed(describe(open.document, input, options.fragment));
     const description = await (signal ? orAborted(opening, signal) : opening);
-    const source = new PdfSource(thread, description, stop);
+    const source = new PdfSource(file, open, description);
     await source.findCover(signal ?? new AbortController().signal);
     return source;
   } catch (error) {
-    stop();
+    open.close();
     signal?.throwIfAborted();
-    throw sentenceFor(pdfjs, error, input.name, options.pdfWorker);
-  }
-}
-
-/**
- * Starts loading all that reads a PDF, at the same time.
- *
- * @param pdfWorker as of `PdfOptions`
- */
-export function preparePdf(pdfWorker?: string): void {
-  const workers = pdfWorker ? [] : [blobWorker(), rendererAddress()];
-  // What fails is reported where it is used.
-  for (const part of [loadPdfLibrary(), ...workers]) part.catch(() => {});
-}
-
-/**
- * Loads pdf.js and starts its worker. Rejects with a `BookError` if the browser
- * does not allow it.
- */
-async function startThread(name: string, { pdfWorker, signal }: PdfOptions): Promise<PdfThread> {
-  try {
-    preparePdf(pdfWorker);
-    const thread = await PdfThread.start(loadPdfLibrary(), pdfWorker);
-    if (signal?.aborted) thread.stop();
-    signal?.throwIfAborted();
-    return thread;
-  } catch (error) {
-    signal?.throwIfAborted();
-    if (error instanceof WorkerNotStarted) throw notStarted(name, pdfWorker, error);
-    throw unknownFailure(`${name} cannot be read`, error, remedy, { source: name });
+    throw sentenceFor(thread.pdfjs, error, input.name, options.pdfWorker);
   }
 }
 
@@ -175,11 +83,10 @@ function detailsOf(
 }
 
 async function describe(
-  task: PDFDocumentLoadingTask,
+  document: PDFDocumentProxy,
   input: PdfInput,
   fragment = "",
 ): Promise<PdfDescription> {
-  const document = await task.promise;
   const count = document.numPages;
   if (count < 1)
     throw new BookError(`${input.name} has no pages; choose another file.`, {
@@ -205,7 +112,7 @@ async function describe(
   rejectXfa(info, input.name);
   return {
     name: input.name,
-    document,
+    pageCount: count,
     title: cleanText(metadata?.metadata?.get("dc:title")) || cleanText(info.Title) || input.name,
     language: cleanLanguage(info.Language),
     details: detailsOf(metadata?.metadata, info),
@@ -216,8 +123,6 @@ async function describe(
       print: permissions?.has(permission.print) ?? true,
       copy: permissions?.has(permission.copy) ?? true,
     },
-    targets,
-    form: new PdfForm(document),
   };
 }
 
@@ -230,21 +135,5 @@ function rejectXfa(info: Readonly<Record<string, unknown>>, name: string): void 
   throw new BookError(
     `${name} is a form of XFA, whose pages only Adobe's programs make; print it to a PDF there, and open that.`,
     { code: "unsupported", source: name },
-  );
-}
-
-/** Rejects once more bytes have arrived than a PDF may have, if the server did not say how many. */
-function grownTooLarge(task: PDFDocumentLoadingTask, { name }: PdfInput): Promise<never> {
-  return new Promise((_, reject) => {
-    task.onProgress = ({ loaded }: { loaded: number }) => {
-      if (loaded > limits.pdfBytes) reject(tooLarge(name));
-    };
-  });
-}
-
-function tooLarge(name: string): BookError {
-  return new BookError(
-    `${name} is larger than ${Math.floor(limits.pdfBytes / 1e6)} MB; split it and open a part.`,
-    { code: "tooLarge", source: name },
   );
 }

@@ -50,12 +50,18 @@ export async function linksOfPage(page: PDFPageProxy, targets: PdfTargets): Prom
 
 /** The values of a document's fields, kept where pdf.js draws and saves them from. */
 export class PdfForm {
-  readonly #storage: PDFDocumentProxy["annotationStorage"];
+  #storage: PDFDocumentProxy["annotationStorage"];
   readonly #widgets = new Map<string, Map<string, PageField>>();
   readonly #values = new Map<string, string>();
 
   constructor(document: PDFDocumentProxy) {
     this.#storage = document.annotationStorage;
+  }
+
+  /** Goes on with the same document, opened anew. */
+  moveTo(document: PDFDocumentProxy): void {
+    this.#storage = document.annotationStorage;
+    for (const [name, value] of this.#values) this.#storeAll(name, value);
   }
 
   /** Whether the value of a field differs from its file's. */
@@ -87,7 +93,11 @@ export class PdfForm {
   fill(name: string, value: string): void {
     const held = value.slice(0, limits.fieldLength);
     this.#values.set(name, held);
-    for (const [id, field] of this.#widgets.get(name) ?? []) this.#store(id, field, held);
+    this.#storeAll(name, held);
+  }
+
+  #storeAll(name: string, value: string): void {
+    for (const [id, field] of this.#widgets.get(name) ?? []) this.#store(id, field, value);
   }
 
   #store(id: string, { kind, on }: PageField, value: string): void {
@@ -96,13 +106,21 @@ export class PdfForm {
   }
 }
 
+/** Annotations of pages, which pdf.js sends anew whenever it is asked. */
+const sent = new WeakMap<PDFPageProxy, Promise<readonly Annotation[]>>();
+
 /** Returns a page's annotations of some kind, in their order. Rejects as pdf.js does. */
 export async function annotationsOf(
   page: PDFPageProxy,
   isWanted: (one: Annotation) => boolean,
 ): Promise<Annotation[]> {
-  const all: Annotation[] = await page.getAnnotations();
-  return all.filter(isWanted).slice(0, limits.annotations);
+  let all = sent.get(page);
+  if (all === undefined) {
+    all = page.getAnnotations().then((some: Annotation[]) => some.slice(0, limits.annotations));
+    sent.set(page, all);
+    all.catch(() => sent.delete(page));
+  }
+  return (await all).filter(isWanted);
 }
 
 /** Returns where an annotation lies on its page; null if it lies nowhere. */

@@ -86,6 +86,14 @@ async function scriptUrl(packed: { default: string }): Promise<string> {
   return await scriptAddress(await unpack(packed.default));
 }
 
+/** Files that are being loaded. */
+let loads = 0;
+
+/** Returns whether files that pdf.js has requested are being loaded: it waits for them. */
+export function isLoadingData(): boolean {
+  return loads > 0;
+}
+
 /**
  * The files that pdf.js requests while it reads: character maps of Chinese,
  * Japanese and Korean, decoders of JPEG 2000 and JBIG2, two symbol fonts. Each
@@ -93,10 +101,15 @@ async function scriptUrl(packed: { default: string }): Promise<string> {
  */
 export class PackedDataFactory {
   async fetch({ kind, filename }: { kind: string; filename: string }): Promise<Uint8Array> {
-    if (kind === "cMapUrl") return await characterMap(filename);
-    const load = packedFiles[filename];
-    if (!load) throw new Error(`No such file: ${filename}`);
-    return await unpack((await load()).default);
+    loads++;
+    try {
+      if (kind === "cMapUrl") return await characterMap(filename);
+      const load = packedFiles[filename];
+      if (!load) throw new Error(`No such file: ${filename}`);
+      return await unpack((await load()).default);
+    } finally {
+      loads--;
+    }
   }
 }
 

@@ -1,6 +1,6 @@
 /** The pages of a PDF, as pdf.js reads and draws them. */
 
-import type { PDFDocumentProxy, PDFPageProxy } from "pdfjs-dist";
+import type { PDFPageProxy } from "pdfjs-dist";
 import { cleanText } from "./book_text.ts";
 import { closedError, unknownFailure } from "./failures.ts";
 import { fitPixels, isPageSize, limits, wholePage } from "./limits.ts";
@@ -18,24 +18,32 @@ import {
   type TextRun,
 } from "./page_source.ts";
 import { altOfPage } from "./pdf_alt.ts";
-import { linksOfPage, type PdfForm } from "./pdf_annotations.ts";
+import { linksOfPage, PdfForm } from "./pdf_annotations.ts";
 import { coverPixels, coverTime, isCover } from "./pdf_cover.ts";
-import { isDamage, isUnreachable, remedy, sentenceFor } from "./pdf_failures.ts";
+import {
+  isDamage,
+  isTooMuch,
+  isUnreachable,
+  remedy,
+  sentenceFor,
+  takesTooMuch,
+} from "./pdf_failures.ts";
+import type { OpenPdf, PdfFile } from "./pdf_file.ts";
 import { lettersOfPage } from "./pdf_letters.ts";
 import { bareMarksOf, drawMarks, notesOfPage, playedOnPage } from "./pdf_marks.ts";
-import { outlineOf, type PdfTargets } from "./pdf_targets.ts";
+import { PdfReader } from "./pdf_reader.ts";
+import type { PdfLibrary } from "./pdf_runtime.ts";
+import { outlineOf, PdfTargets } from "./pdf_targets.ts";
 import { textOfPage } from "./pdf_text.ts";
-import type { PdfThread } from "./pdf_thread.ts";
-import { orAborted } from "./shared_tasks.ts";
 import { lostLines, WarningList, warningOf } from "./warnings.ts";
 
 /** Pages whose parsed content is kept, so that drawing them sharper is quick. */
 const keptPages = 6;
 
-/** The properties of an open document. */
+/** The properties of a document. */
 export interface PdfDescription {
   readonly name: string;
-  readonly document: PDFDocumentProxy;
+  readonly pageCount: number;
   readonly title: string;
   readonly language: string;
   readonly direction: "ltr" | "rtl";
@@ -43,8 +51,6 @@ export interface PdfDescription {
   readonly labels: readonly string[] | null;
   readonly openingPage: number;
   readonly allows: { readonly print: boolean; readonly copy: boolean };
-  readonly targets: PdfTargets;
-  readonly form: PdfForm;
 }
 
 const pointsInInch = 72;
@@ -65,33 +71,35 @@ export class PdfSource implements PageSource {
    * book, whose second page is on the back of the cover: its even pages are versos.
    */
   cover: "none" | undefined = "none";
-  readonly #thread: PdfThread;
+  readonly #reader: PdfReader;
+  readonly #pdfjs: PdfLibrary;
   readonly #name: string;
-  readonly #document: PDFDocumentProxy;
   readonly #labels: readonly string[] | null;
-  readonly #targets: PdfTargets;
   readonly #form: PdfForm;
   readonly #warnings = new WarningList();
-  readonly #stop: () => void;
+  #targets: PdfTargets;
   /** Pages in the order in which they were last drawn. */
   readonly #drawn = new Map<number, PDFPageProxy>();
   #closed = false;
 
-  constructor(thread: PdfThread, description: PdfDescription, stop: () => void) {
+  constructor(file: PdfFile, open: OpenPdf, description: PdfDescription) {
     this.title = description.title;
     this.language = description.language;
     this.details = description.details;
     this.direction = description.direction;
-    this.pageCount = description.document.numPages;
+    this.pageCount = description.pageCount;
     this.openingPage = description.openingPage;
     this.allows = description.allows;
-    this.#thread = thread;
+    this.#reader = new PdfReader(file, open, ({ document }) => {
+      this.#drawn.clear();
+      this.#targets = new PdfTargets(document);
+      this.#form.moveTo(document);
+    });
+    this.#pdfjs = open.thread.pdfjs;
     this.#name = description.name;
-    this.#document = description.document;
     this.#labels = description.labels;
-    this.#targets = description.targets;
-    this.#form = description.form;
-    this.#stop = stop;
+    this.#targets = new PdfTargets(open.document);
+    this.#form = new PdfForm(open.document);
   }
 
   /**
@@ -102,8 +110,9 @@ export class PdfSource implements PageSource {
     if (this.pageCount < 2) return;
     const inTime = AbortSignal.any([signal, AbortSignal.timeout(coverTime)]);
     try {
-      const page = await this.#page(0, inTime);
-      const small = await this.#render(page, 0, coverPixels, wholePage, inTime);
+      const small = await this.#read(0, "cover", inTime, (page, ended) =>
+        this.#render(page, 0, coverPixels, wholePage, ended),
+      );
       const { width, height } = small;
       const pen = new OffscreenCanvas(width, height).getContext("2d");
       pen?.drawImage(small, 0, 0);
@@ -129,7 +138,7 @@ export class PdfSource implements PageSource {
   }
 
   async size(index: number, signal?: AbortSignal): Promise<PageSize> {
-    return this.#sizeOf(await this.#page(index, signal), index);
+    return await this.#read(index, "size", signal, async (page) => this.#sizeOf(page, index));
   }
 
   widthInMetres(size: PageSize): number {
@@ -146,17 +155,16 @@ export class PdfSource implements PageSource {
     signal: AbortSignal,
     region: PageBox = wholePage,
   ): Promise<PagePicture> {
-    const page = await this.#page(index, signal);
-    for (let isFirst = true; ; isFirst = false) {
-      try {
-        const bitmap = await this.#render(page, index, width, region, signal);
-        this.#keep(index, page);
-        return bitmap;
-      } catch (error) {
+    return await this.#read(index, "page", signal, async (page, ended) => {
+      const draw = () => this.#render(page, index, width, region, ended);
+      const bitmap = await draw().catch((error: unknown) => {
+        if (ended.aborted) throw error;
         // pdf.js's worker may drop a drawing while it frees what other drawings of the page used.
-        if (!isFirst || signal.aborted) throw this.#failureOf(error, index, signal);
-      }
-    }
+        return draw();
+      });
+      this.#keep(index, page);
+      return bitmap;
+    });
   }
 
   /** Draws a part of a page once. Rejects with the error of pdf.js. */
@@ -174,7 +182,7 @@ export class PdfSource implements PageSource {
     const scale = pixels.width / part.width;
     const offsetX = -region.x * size.width * scale;
     const offsetY = -region.y * size.height * scale;
-    const modes = this.#thread.pdfjs.AnnotationMode;
+    const modes = this.#pdfjs.AnnotationMode;
     const task = page.render({
       canvas: canvas as unknown as HTMLCanvasElement,
       viewport: page.getViewport({ scale, offsetX, offsetY }),
@@ -183,7 +191,7 @@ export class PdfSource implements PageSource {
     const cancel = (): void => task.cancel();
     signal.addEventListener("abort", cancel, { once: true });
     try {
-      const [marks] = await this.#thread.orFailed(Promise.all([bareMarksOf(page), task.promise]));
+      const [marks] = await Promise.all([bareMarksOf(page), task.promise]);
       signal.throwIfAborted();
       if (marks.length > 0) {
         const pen = canvas.getContext("2d") as OffscreenCanvasRenderingContext2D;
@@ -200,18 +208,18 @@ export class PdfSource implements PageSource {
   }
 
   async text(index: number, signal: AbortSignal, exact = false): Promise<readonly TextRun[]> {
-    return await this.#read(index, signal, (page) => {
-      const letters = exact ? () => lettersOfPage(this.#thread.pdfjs, page) : undefined;
+    return await this.#read(index, exact ? "letters" : "text", signal, (page) => {
+      const letters = exact ? () => lettersOfPage(this.#pdfjs, page) : undefined;
       return textOfPage(page, signal, letters);
     });
   }
 
   async alt(index: number, signal: AbortSignal): Promise<string> {
-    return await this.#read(index, signal, altOfPage);
+    return await this.#read(index, "alt", signal, altOfPage);
   }
 
   async links(index: number, signal: AbortSignal): Promise<readonly PageLink[]> {
-    return await this.#read(index, signal, async (page) => {
+    return await this.#read(index, "links", signal, async (page) => {
       const played = await playedOnPage(page);
       const warnings = played.map((one) => warningOf("medium", one, this.#name));
       this.#warnings.add(...warnings.map((warning) => ({ ...warning, page: index + 1 })));
@@ -220,7 +228,7 @@ export class PdfSource implements PageSource {
   }
 
   async fields(index: number, signal: AbortSignal): Promise<readonly PageField[]> {
-    return await this.#read(index, signal, (page) => this.#form.fieldsOf(page));
+    return await this.#read(index, "fields", signal, (page) => this.#form.fieldsOf(page));
   }
 
   fill(_index: number, name: string, value: string): void {
@@ -228,25 +236,25 @@ export class PdfSource implements PageSource {
   }
 
   async outline(signal: AbortSignal): Promise<readonly OutlineEntry[]> {
-    const outline = this.#thread.orFailed(outlineOf(this.#document, this.#targets));
     try {
-      const lines = await orAborted(outline, signal);
+      const read = ({ document }: OpenPdf) => outlineOf(document, this.#targets);
+      const lines = await this.#reader.run("outline", read, signal);
       this.#warnings.add(...lostLines(lines, this.#name));
       return lines;
     } catch (error) {
       signal.throwIfAborted();
-      throw sentenceFor(this.#thread.pdfjs, error, this.#name);
+      throw sentenceFor(this.#pdfjs, error, this.#name);
     }
   }
 
   async file(): Promise<Blob> {
-    const document = this.#document;
-    const bytes = this.#form.isFilled ? document.saveDocument() : document.getData();
     try {
-      const file = (await this.#thread.orFailed(bytes)) as Uint8Array<ArrayBuffer>;
-      return new Blob([file], { type: "application/pdf" });
+      const bytes = await this.#reader.run("file", ({ document }) =>
+        this.#form.isFilled ? document.saveDocument() : document.getData(),
+      );
+      return new Blob([bytes as Uint8Array<ArrayBuffer>], { type: "application/pdf" });
     } catch (error) {
-      throw sentenceFor(this.#thread.pdfjs, error, this.#name);
+      throw sentenceFor(this.#pdfjs, error, this.#name);
     }
   }
 
@@ -254,20 +262,31 @@ export class PdfSource implements PageSource {
     if (this.#closed) return;
     this.#closed = true;
     this.#drawn.clear();
-    // A worker that ends sends nothing more to those that wait.
-    this.#thread.giveUp(closedError(this.#name));
-    this.#stop();
+    this.#reader.close(closedError(this.#name));
   }
 
-  /** Returns the result of `read` on a page. Rejects as `draw` does. */
+  /**
+   * Returns the result of `read` on a page. Rejects with a `BookError`, or with the signal's reason.
+   *
+   * @param part what is read of it, which has a time of its own
+   *
+   * @param read is given the page, and a signal that its result is not wanted any more
+   */
   async #read<T>(
     index: number,
-    signal: AbortSignal,
-    read: (page: PDFPageProxy) => Promise<T>,
+    part: string,
+    signal: AbortSignal | undefined,
+    read: (page: PDFPageProxy, ended: AbortSignal) => Promise<T>,
   ): Promise<T> {
-    const page = await this.#page(index, signal);
+    const readPage = async ({ document, ended }: OpenPdf) =>
+      await read(
+        await document.getPage(index + 1),
+        signal ? AbortSignal.any([signal, ended]) : ended,
+      );
+    // A page that cannot be drawn has its size all the same.
+    const whole = part === "size" ? part : "page";
     try {
-      return await orAborted(this.#thread.orFailed(read(page)), signal);
+      return await this.#reader.run(`${part} ${index}`, readPage, signal, `${whole} ${index}`);
     } catch (error) {
       throw this.#failureOf(error, index, signal);
     }
@@ -281,17 +300,6 @@ export class PdfSource implements PageSource {
       page: index + 1,
       source: this.#name,
     });
-  }
-
-  async #page(index: number, signal?: AbortSignal): Promise<PDFPageProxy> {
-    signal?.throwIfAborted();
-    if (this.#closed) throw closedError(this.#name);
-    try {
-      const page = this.#thread.orFailed(this.#document.getPage(index + 1));
-      return await (signal ? orAborted(page, signal) : page);
-    } catch (error) {
-      throw this.#failureOf(error, index, signal);
-    }
   }
 
   /** Frees the parsed content of the page drawn longest ago. */
@@ -309,9 +317,10 @@ export class PdfSource implements PageSource {
   #failureOf(error: unknown, index: number, signal?: AbortSignal): unknown {
     if (signal?.aborted) return signal.reason;
     if (error instanceof BookError) return error;
-    const { pdfjs } = this.#thread;
+    const pdfjs = this.#pdfjs;
     const page = `Page ${index + 1} of ${this.#name}`;
     const detail = { page: index + 1, source: this.#name };
+    if (isTooMuch(error)) return takesTooMuch(page, "a page", detail);
     if (isDamage(pdfjs, error)) {
       const sentence = `${page} is damaged and cannot be drawn; repair the file or get it again.`;
       return new BookError(sentence, { ...detail, code: "damaged", cause: error });

@@ -58,6 +58,7 @@ async function readPieces(page: PDFPageProxy, signal: AbortSignal): Promise<Piec
   const pieces: Piece[] = [];
   const styles: Record<string, Style> = Object.create(null);
   let letters = 0;
+  let read = 0;
   const reader = (page.streamTextContent() as ReadableStream<Chunk>).getReader();
   try {
     for (;;) {
@@ -67,6 +68,8 @@ async function readPieces(page: PDFPageProxy, signal: AbortSignal): Promise<Piec
       Object.assign(styles, value.styles);
       for (const item of value.items) {
         if (item.str === undefined) continue;
+        // What lies beside the page counts too, where it goes on for ever.
+        if (++read > limits.textLength) return pieces;
         const piece = pieceOf(item, styles[item.fontName], view.transform);
         if (piece && isWithin(piece.run, view)) {
           letters += piece.run.text.length;

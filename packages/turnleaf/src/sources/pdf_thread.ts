@@ -2,8 +2,9 @@
 
 import type { PDFWorker } from "pdfjs-dist";
 import { nameAndMessage } from "./failures.ts";
+import { limits } from "./limits.ts";
 import { BookError } from "./page_source.ts";
-import { blobWorker, type PdfLibrary } from "./pdf_runtime.ts";
+import { blobWorker, isLoadingData, type PdfLibrary } from "./pdf_runtime.ts";
 import { trustedScript } from "./trusted_script.ts";
 
 /** Milliseconds in which a worker has to report that it has started. */
@@ -17,16 +18,47 @@ export class WorkerFailure extends Error {
 /** The browser did not start the worker: a policy forbids it, or the script is missing. */
 export class WorkerNotStarted extends WorkerFailure {}
 
+/** What the worker does takes longer than it may, or more steps: it has to be ended. */
+export class WorkerStalled extends WorkerFailure {}
+
+/** Looks at what is pending in the time that it may take. */
+const looks = 12;
+
+/** What is awaited of a worker. */
+interface Job {
+  readonly reject: (failure: Error) => void;
+  /** Milliseconds that it may take, and those that it has taken. */
+  readonly most: number;
+  taken: number;
+}
+
+/** A message of a worker, as far as it is read here. */
+interface WorkerMessage {
+  readonly streamId?: unknown;
+  /** A piece of a stream; a list of steps says how many are in it. */
+  readonly chunk?: { readonly length?: unknown; readonly lastChunk?: unknown } | null;
+}
+
 /**
  * A worker that reads one document. Errors in it, or in the page's handling of
  * its messages, that pdf.js does not notice reject every pending promise:
- * nothing waits for ever.
+ * nothing waits for ever. So does a worker that takes longer, or sends more,
+ * than it may.
  */
 export class PdfThread {
   readonly #thread: Worker;
   #library: PdfLibrary | null = null;
   #worker: PDFWorker | null = null;
-  readonly #waiting = new Set<(failure: Error) => void>();
+  /**
+   * Whether what is awaited may wait for something else than the worker: bytes from the network, or the
+   * reader's password.
+   */
+  waitsForOthers = false;
+  readonly #waiting = new Set<Job>();
+  /** Steps of drawing that have come, by their list. */
+  readonly #steps = new Map<unknown, number>();
+  #hasStarted = false;
+  #isWatched = false;
   #failure: Error | null = null;
   readonly #timer: ReturnType<typeof setTimeout>;
 
@@ -35,7 +67,11 @@ export class PdfThread {
     this.#timer = setTimeout(() => {
       this.#fail(new WorkerNotStarted("It gave no sign of life."), true);
     }, startingTime);
-    thread.addEventListener("message", () => clearTimeout(this.#timer), { once: true });
+    const started = (): void => {
+      clearTimeout(this.#timer);
+      this.#hasStarted = true;
+    };
+    thread.addEventListener("message", started, { once: true });
     thread.addEventListener("error", (event) => {
       event.preventDefault();
       const { message } = event;
@@ -89,12 +125,19 @@ export class PdfThread {
     return this.#worker as PDFWorker;
   }
 
-  /** Resolves as `promise` does, or rejects as soon as the worker fails. */
-  orFailed<T>(promise: Promise<T>): Promise<T> {
+  /**
+   * Resolves as `promise` does, or rejects as soon as the worker fails. Rejects with a `WorkerStalled` once
+   * the worker takes too long for it, or for anything else that is pending.
+   *
+   * @param most milliseconds that it may take
+   */
+  orFailed<T>(promise: Promise<T>, most: number = limits.pdfTime): Promise<T> {
     return new Promise((resolve, reject) => {
       if (this.#failure) reject(this.#failure);
-      this.#waiting.add(reject);
-      promise.then(resolve, reject).finally(() => this.#waiting.delete(reject));
+      const job: Job = { reject, most, taken: 0 };
+      this.#waiting.add(job);
+      this.#watch();
+      promise.then(resolve, reject).finally(() => this.#waiting.delete(job));
     });
   }
 
@@ -115,7 +158,7 @@ export class PdfThread {
     const thread = this.#thread;
     const guarded = (listener: (event: Event) => void) => (event: Event) => {
       try {
-        listener(event);
+        if (this.#counted(event)) listener(event);
       } catch (error) {
         this.#fail(error instanceof Error ? error : new Error(String(error)), false);
       }
@@ -128,10 +171,48 @@ export class PdfThread {
     };
   }
 
+  /**
+   * Looks from time to time how long each job has taken. Time in which the page itself stood still, or the
+   * device slept, counts as one look.
+   */
+  #watch(): void {
+    if (this.#isWatched || this.#waiting.size === 0) return;
+    this.#isWatched = true;
+    const lookEvery = limits.pdfTime / looks;
+    AbortSignal.timeout(lookEvery).addEventListener("abort", () => {
+      this.#isWatched = false;
+      if (this.#hasStarted && !this.waitsForOthers && !isLoadingData()) {
+        for (const job of this.#waiting) job.taken += lookEvery;
+        const isLate = [...this.#waiting].some(({ taken, most }) => taken >= most);
+        if (isLate) this.#fail(new WorkerStalled("It takes too long."), true);
+      }
+      this.#watch();
+    });
+  }
+
+  /**
+   * Counts the steps in a message: the page does not look at its timers while many come. Returns whether
+   * the message is still of use.
+   */
+  #counted(event: Event): boolean {
+    if (this.#failure) return false;
+    const { chunk, streamId } = ((event as MessageEvent).data ?? {}) as WorkerMessage;
+    if (typeof chunk?.length !== "number") return true;
+    const steps = (this.#steps.get(streamId) ?? 0) + chunk.length;
+    if (steps > limits.pdfSteps) {
+      this.#fail(new WorkerStalled("It sends too much."), true);
+      this.stop();
+      return false;
+    }
+    if (chunk.lastChunk === true) this.#steps.delete(streamId);
+    else this.#steps.set(streamId, steps);
+    return true;
+  }
+
   /** @param isFinal whether the worker cannot recover */
   #fail(failure: Error, isFinal: boolean): void {
     if (isFinal) this.#failure = failure;
-    for (const reject of this.#waiting) reject(failure);
+    for (const { reject } of this.#waiting) reject(failure);
     this.#waiting.clear();
   }
 }

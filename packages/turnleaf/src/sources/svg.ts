@@ -5,6 +5,7 @@
  */
 
 import { checkSvg } from "./budget.ts";
+import { decodeText } from "./decode_text.ts";
 import type { PageBox, PageSize } from "./page_source.ts";
 
 /** What the root's tag begins with. */
@@ -43,7 +44,7 @@ const usualSize: PageSize = { width: 300, height: 150 };
 
 /** Reads an image. Rejects if it has no root. */
 async function read(image: Blob): Promise<Drawing> {
-  const text = await image.text();
+  const text = await decodeText(new Uint8Array(await image.arrayBuffer()));
   wholeTag.lastIndex = rootStart.exec(text)?.index ?? text.length;
   const found = wholeTag.exec(text);
   if (found === null) throw new Error("There is no <svg>.");
@@ -105,7 +106,7 @@ export async function drawSvg(
   checked.set(image, checking);
   await checking;
   const picture = new Image();
-  picture.src = `data:image/svg+xml,${encodeURIComponent(before + sized(tag) + after)}`;
+  picture.src = `data:image/svg+xml;charset=utf-8,${encodeURIComponent(before + sized(tag) + after)}`;
   await picture.decode();
   // In Chromium embedded fonts are ready one task later.
   await new Promise((resolve) => setTimeout(resolve));

@@ -11,6 +11,8 @@ export interface TinyPdf {
   /** Entries of the document's information. */
   readonly info?: string;
   readonly mediaBox?: string;
+  /** Entries of each page, which may have other contents. */
+  readonly entries?: readonly string[];
 }
 
 /** Builds a small and valid PDF, each byte a character of latin-1. */
@@ -29,10 +31,11 @@ export function tinyPdf(pdf: TinyPdf): Uint8Array<ArrayBuffer> {
     const number = first + 2 * i;
     const box = pdf.mediaBox ?? "[0 0 200 300]";
     const resources = `/Resources << ${pdf.resources ?? ""} >>`;
-    const contents = `/Contents ${number + 1} 0 R`;
+    const entries = pdf.entries?.[i] ?? "";
+    const contents = entries.includes("/Contents") ? "" : `/Contents ${number + 1} 0 R`;
     objects.set(
       number,
-      `<< /Type /Page /Parent 2 0 R /MediaBox ${box} ${resources} ${contents} >>`,
+      `<< /Type /Page /Parent 2 0 R /MediaBox ${box} ${resources} ${contents} ${entries} >>`,
     );
     objects.set(number + 1, `<< /Length ${content.length} >>\nstream\n${content}\nendstream`);
   });
@@ -40,7 +43,7 @@ export function tinyPdf(pdf: TinyPdf): Uint8Array<ArrayBuffer> {
 }
 
 function write(objects: ReadonlyMap<number, string>): string {
-  const size = Math.max(...objects.keys()) + 1;
+  const size = [...objects.keys()].reduce((most, number) => Math.max(most, number), 0) + 1;
   const offsets = new Array<number>(size).fill(0);
   let text = "%PDF-1.7\n";
   for (const [number, object] of objects) {

@@ -86,6 +86,24 @@ describe("images of formats that few browsers show", () => {
   });
 
   it.each([
+    [262, 8, "its colours are of Lab"],
+    [258, 32, "its samples are whole numbers of 32 bits"],
+  ])("a TIFF of whose tag %i is %i is rejected with its reason: %s", async (tag, said, reason) => {
+    const bytes = new Uint8Array(await (await fixture("grey.tif")).arrayBuffer());
+    const isLittle = bytes[0] === 0x49;
+    const view = new DataView(bytes.buffer);
+    const directory = view.getUint32(4, isLittle);
+    for (let k = 0; k < view.getUint16(directory, isLittle); k++) {
+      const entry = directory + 2 + 12 * k;
+      if (view.getUint16(entry, isLittle) === tag) view.setUint16(entry + 8, said, isLittle);
+    }
+    const source = await openSource(new File([bytes], "a.tif"));
+    expect(await messageOf(source.draw(0, 10, never))).toBe(
+      `Page 1 of a.tif is a TIFF that is damaged or of a kind that cannot be read (${reason}); convert it to PNG or JPEG.`,
+    );
+  });
+
+  it.each([
     // Tag 256, and the right edge in the marker SIZ.
     ["rgb-raw.tif", [0, 1, 4, 0], 8, 0xff, 2],
     ["rgb.j2k", [0xff, 0x51], 6, 0x7f, 4],

@@ -11,7 +11,16 @@ const mostBits = 128;
 const [littleEndian, bigTiff] = [0x49, 43];
 
 /** Tags of a directory. */
-const [subfile, bits, packing, samples, planes, turned] = [254, 258, 259, 277, 284, 274] as const;
+const [subfile, bits, packing, colours, samples, planes, turned, sampleFormat] = [
+  ...([254, 258, 259, 262] as const),
+  ...([277, 284, 274, 339] as const),
+] as const;
+
+/** Kinds of colours that UTIF does not know, and makes an empty picture of: three of Lab. */
+const unknownColours: readonly number[] = [8, 9, 10];
+
+/** The format of samples that are floating-point numbers. */
+const floating = 3;
 
 /** The packings that UTIF unpacks: of all others it makes an empty picture. */
 const unpacked: readonly number[] = [
@@ -68,6 +77,10 @@ export function decodeTiff(file: ArrayBuffer, mostPixels: number): Pixels {
   }
   if (value(page, planes, 1) === 2 && value(page, samples, 1) > 1) {
     throw new Error("its colours are stored one after another");
+  }
+  if (unknownColours.includes(value(page, colours, 2))) throw new Error("its colours are of Lab");
+  if (value(page, bits, 1) === 32 && value(page, sampleFormat, 1) !== floating) {
+    throw new Error("its samples are whole numbers of 32 bits");
   }
   UTIF.decodeImage(file, page);
   if (!page.data) throw new Error("its pixels are missing");
