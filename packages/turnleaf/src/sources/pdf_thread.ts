@@ -195,7 +195,8 @@ export class PdfThread {
    * the message is still of use.
    */
   #counted(event: Event): boolean {
-    if (this.#failure) return false;
+    // One that is closed still says that it has ended.
+    if (this.#failure instanceof WorkerStalled) return false;
     const { chunk, streamId } = ((event as MessageEvent).data ?? {}) as WorkerMessage;
     if (typeof chunk?.length !== "number") return true;
     const steps = (this.#steps.get(streamId) ?? 0) + chunk.length;
