@@ -15,26 +15,29 @@ const emptyClip = /^inset\((?:50|100)%(?: (?:50|100)%)*\)$/;
  */
 export function hideUnseen(body: Element, flow: PageFlow): void {
   const view = body.ownerDocument.defaultView as Window & typeof globalThis;
-  const elements = [...body.querySelectorAll("*")].filter((one) => one instanceof view.HTMLElement);
-  const before = new Set<Element>();
-  // What is in a box may be seen though the box is not.
-  for (const element of elements.toReversed()) {
-    const isBefore = [...element.getClientRects()].every((rect) => liesBefore(rect, flow));
-    if (isBefore && [...element.children].every((child) => before.has(child))) before.add(element);
-  }
-  const hidden = elements.filter((element) => {
-    const { overflowX, overflowY, clip, clipPath, display } = view.getComputedStyle(element);
+  const range = body.ownerDocument.createRange();
+  const liesBefore = (element: Element): boolean => {
+    range.selectNodeContents(element);
+    // What is in a box may be seen though the box is not.
+    return [element, range].every((one) => isBefore(one.getBoundingClientRect(), flow));
+  };
+  const hidden: HTMLElement[] = [];
+  for (const element of body.querySelectorAll("*")) {
+    if (!(element instanceof view.HTMLElement)) continue;
+    const style = view.getComputedStyle(element);
+    const { overflowX, overflowY, clip, clipPath, display, position } = style;
     const isShort =
       (overflowX !== "visible" && element.offsetWidth <= nothing) ||
       (overflowY !== "visible" && element.offsetHeight <= nothing);
     const isCut = (isShort && display !== "inline") || isEmpty(clip) || emptyClip.test(clipPath);
-    return isCut || (before.has(element) && element.getClientRects().length > 0);
-  });
+    const isAway = /^(?:absolute|fixed)$/.test(position) && liesBefore(element);
+    if (isCut || isAway) hidden.push(element);
+  }
   for (const element of hidden) setStyles(element, { visibility: "hidden" });
 }
 
 /** Returns whether a rectangle lies before the first page. */
-function liesBefore({ left, right, bottom }: DOMRect, { stepX }: PageFlow): boolean {
+function isBefore({ left, right, bottom }: DOMRect, { stepX }: PageFlow): boolean {
   return bottom < 0 || (stepX < 0 ? left > -stepX : right < 0);
 }
 
