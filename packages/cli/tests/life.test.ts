@@ -134,7 +134,6 @@ describe.each([
         },
         [times, sources] as const,
       );
-    // What the first ones load and compile stays for those to come.
     // A PDF's worker has some time to end by itself: a timer says that it has not.
     const end = () =>
       comesTo(
@@ -142,6 +141,7 @@ describe.each([
         () => (globalThis as unknown as { holdings: { timers: Set<number> } }).holdings.timers.size,
         0,
       );
+    // What the first ones load and compile stays for those to come.
     await comeAndGo(firstBooks);
     await end();
     const before = await holdingsOf(page, session);

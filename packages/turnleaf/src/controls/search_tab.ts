@@ -116,10 +116,7 @@ export class SearchTab<Hit extends FoundPlace> implements PanelTab {
       this.#hits = [...hits];
       if (!isInOrder) this.#clear();
       this.#list();
-      const nothing = this.#book.mayHaveText
-        ? texts.nothingFound
-        : // Languages may have been added before this text was.
-          (texts.noText ?? texts.nothingFound);
+      const nothing = this.#book.mayHaveText ? texts.nothingFound : texts.noText;
       this.#status.textContent = hits.length === 0 ? nothing : this.#count;
     } catch (error) {
       if (signal.aborted) return;

@@ -93,6 +93,7 @@ const svg = "http://www.w3.org/2000/svg";
 const xlink = "http://www.w3.org/1999/xlink";
 
 const ownAddress = /href="#([^"]*)"|url\(\s*["']?#([^"')]*)/g;
+
 /**
  * Counts what a chapter or a drawing takes. Rejects with a `BookError` where it is
  * more than the budget.

@@ -79,6 +79,31 @@ describe("an EPUB", () => {
     expect(await coloursAt(source, 0, edges)).toEqual(blue);
   });
 
+  test.each([
+    ["Cover", "Cover", "", 1],
+    ["Untitled", "a drawing in blue", "A drawing in blue.", 1],
+    ["Cover", "A small book by nobody", "", 2],
+    ["A small book", "A small book", "", 2],
+    ["Untitled", "Four words of text", "", 2],
+  ])(
+    "titled %s shows “%s” under its cover, unless that only names it",
+    async (title, words, alt, before) => {
+      const page = `<html xmlns="http://www.w3.org/1999/xhtml"><head><title>${title}</title></head><body><img src="cover.svg" alt="${alt}"/><p>${words}</p></body></html>`;
+      const source = await open(
+        tinyEpub({
+          chapters: [page, "<p>One</p>"],
+          items: cover,
+          files: { "cover.svg": drawing(600, 800) },
+        }),
+        "a.epub",
+      );
+      const texts = await Promise.all([0, 1].map((index) => source.text?.(index, never)));
+      const said = texts.map((runs) => runs?.map(({ text }) => text).join(" "));
+      expect(said).toEqual(["", before === 1 ? "One" : words]);
+      expect(await coloursAt(source, 0, edges)).toEqual(blue);
+    },
+  );
+
   test("without a cover has its boards stamped", async () => {
     const metadata = "<dc:creator>Herman Melville</dc:creator>";
     const source = await open(tinyEpub({ chapters: [prose(4)], metadata }), "a.epub");

@@ -182,7 +182,7 @@ const stalling: Readonly<Record<string, "page" | "book">> = {
 test.each(Object.entries(stalling))(
   "with %s says so of the %s, and the rest is read",
   async (what, where) => {
-    // A tenth of the time that a page has suffices to see that it ends, and that the ordinary one is drawn.
+    // A quarter of the time that a page has suffices to see that it ends, and that the ordinary one is drawn.
     const { pdfTime, pdfSteps } = limits;
     Object.assign(limits, { pdfTime: 1500, pdfSteps: 50_000 });
     try {

@@ -50,20 +50,17 @@ export class PageList implements PageSource {
 
   watchPages(listener: (change: () => NewIndex) => void): void {
     this.#listener = listener;
-    for (const source of new Set(this.order.pages.map((entry) => entry.source)))
-      this.#watch(source);
+    for (const source of this.order.shown) this.#watch(source);
   }
 
   watchDrawings(listener: (index: number) => void): void {
     this.#onDrawing = listener;
-    const sources = new Set(this.order.pages.map((entry) => entry.source));
-    for (const source of sources) this.#watchDrawings(source);
+    for (const source of this.order.shown) this.#watchDrawings(source);
   }
 
   /** What cannot be shown of all sources, and the pages that could not be drawn. */
   get warnings(): readonly BookWarning[] {
-    const sources = [...new Set(this.order.pages.map((entry) => entry.source))];
-    const listed = sources.flatMap((source) =>
+    const listed = [...this.order.shown].flatMap((source) =>
       (source.warnings ?? []).flatMap((warning): BookWarning[] => {
         if (warning.page === undefined) return [warning];
         const page = this.order.pageOf(source, warning.page);
@@ -84,9 +81,7 @@ export class PageList implements PageSource {
 
   watchWarnings(listener: () => void): void {
     this.#onWarning = listener;
-    for (const source of new Set(this.order.pages.map((entry) => entry.source))) {
-      source.watchWarnings?.(listener);
-    }
+    for (const source of this.order.shown) source.watchWarnings?.(listener);
   }
 
   outdate(index: number): void {
@@ -95,9 +90,7 @@ export class PageList implements PageSource {
   }
 
   watchSizes(listener: () => void): void {
-    for (const source of new Set(this.order.pages.map((entry) => entry.source))) {
-      source.watchSizes?.(listener);
-    }
+    for (const source of this.order.shown) source.watchSizes?.(listener);
   }
 
   element(index: number): HTMLElement | null {

@@ -38,6 +38,11 @@ export class PageOrder {
     return this.#pages;
   }
 
+  /** The sources of the pages that are in the book. */
+  get shown(): ReadonlySet<PageSource> {
+    return new Set(this.#pages.map(({ source }) => source));
+  }
+
   /** The sources of all pages, those that are taken out too, and the first one. */
   get sources(): ReadonlySet<PageSource> {
     return new Set(this.#all.map(({ source }) => source)).add(this.first);

@@ -1,24 +1,9 @@
 import { expect, test } from "vitest";
+import { hardcover } from "../for_tests/book_shape.ts";
 import { type Framing, sightOf } from "../webgl/camera.ts";
-import type { BookShape } from "./book_pose.ts";
 import { type CanvasFraction, overheadAt, ZoomState, zoomBetween } from "./zoom.ts";
 
-const shape: BookShape = {
-  width: 0.13,
-  height: 0.2,
-  thickness: 0.02,
-  leaves: 200,
-  cover: "hard",
-  rim: 0.0032,
-  cloth: "#6a2a26",
-  shadows: 1,
-  fromAbove: false,
-  tilt: 0,
-  margin: 0.03,
-  kind: "typeset",
-  quarterTurned: false,
-  alone: 0,
-};
+const shape = hardcover;
 
 function zoomingOver(framing: Partial<Framing> = {}, aspect = 1.6) {
   const whole = {

@@ -188,8 +188,10 @@ export class LooseSheetPile {
     this.#hooks.showWhole(viewWith(shape, shown, this.#hooks.seenTable()), seconds);
   }
 
-  /** They are looked at: the camera shows them whole. */
-  #lookAt(): void {
+  /** One is moved from where it lies, or was being put: it is looked at, and the camera shows all of them whole. */
+  #takeUp(one: LooseSheet): void {
+    one.aside = null;
+    one.area = null;
     this.#isLookedAt = true;
     this.look();
   }
@@ -279,10 +281,8 @@ export class LooseSheetPile {
     const isBall = one.sheet.isCrumpled;
     if (grab < 0 || one.tear?.command || (isBall && grab > 0)) return noDrag;
     const hold: Hold = { place, at: null, sheet: one };
-    one.aside = null;
-    one.area = null;
     one.isCrumpling = false;
-    this.#lookAt();
+    this.#takeUp(one);
     one.holds[grab] = hold;
     one.sheet.grab(...place, grab as 0 | 1);
     return {
@@ -341,11 +341,9 @@ export class LooseSheetPile {
 
   #crumple(one: LooseSheet | undefined): boolean {
     if (!one?.sheet.crumple()) return false;
-    one.aside = null;
-    one.area = null;
     one.isCrumpling = true;
     one.holds = [null, null];
-    this.#lookAt();
+    this.#takeUp(one);
     this.#hooks.moved();
     return true;
   }
@@ -364,11 +362,9 @@ export class LooseSheetPile {
   #tearByCommand(one: LooseSheet, path: TearPath): boolean {
     if (!one.sheet.tearAcross(...path)) return false;
     const command = beginTear(one.sheet, path, this.#size);
-    one.aside = null;
-    one.area = null;
     one.holds = [null, null];
     one.tear = { path, command };
-    this.#lookAt();
+    this.#takeUp(one);
     this.#hooks.moved();
     return true;
   }

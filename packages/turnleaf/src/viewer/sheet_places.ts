@@ -24,20 +24,13 @@ export function pointAt({ positions, columns, rows, creased }: Surface, [u, v]: 
 
 /** Returns the part of its page that a sheet is, from its lower to its upper place. */
 export function partOfPage({ creased }: Surface): readonly [low: UV, high: UV] {
-  const [low, high]: [number, number][] = creased
-    ? [
-        [1, 1],
-        [0, 0],
-      ]
-    : [
-        [0, 0],
-        [1, 1],
-      ];
+  const low: [number, number] = creased ? [1, 1] : [0, 0];
+  const high: [number, number] = creased ? [0, 0] : [1, 1];
   for (const [at, place] of (creased?.places ?? []).entries()) {
     low[at % 2] = Math.min(low[at % 2], place);
     high[at % 2] = Math.max(high[at % 2], place);
   }
-  return [low as UV, high as UV];
+  return [low, high];
 }
 
 /** Returns the place on its page of a sheet's middle. */

@@ -1,5 +1,6 @@
 import { expect, test } from "vitest";
 import type { Vec3 } from "../engine/shapes.ts";
+import { hardcover } from "../for_tests/book_shape.ts";
 import type { BookShape } from "../stage/book_pose.ts";
 import { frameBook, openFraming } from "../webgl/camera.ts";
 import {
@@ -12,20 +13,8 @@ import {
 } from "./table_places.ts";
 
 const paperback: BookShape = {
-  width: 0.138,
-  height: 0.213,
-  thickness: 0.024,
-  leaves: 300,
-  cover: "hard",
-  rim: 0.0032,
-  cloth: "#6a2a26",
-  shadows: 1,
-  fromAbove: false,
-  tilt: 0,
-  margin: 0.03,
-  kind: "typeset",
-  quarterTurned: false,
-  alone: 0,
+  ...hardcover,
+  ...{ width: 0.138, height: 0.213, thickness: 0.024, leaves: 300 },
 };
 
 /** Returns what is seen of the table on a canvas of some size that shows a whole book. */

@@ -1,23 +1,9 @@
 import { expect, test } from "vitest";
+import { hardcover } from "../for_tests/book_shape.ts";
 import type { BookShape } from "../stage/book_pose.ts";
 import { axesOf, type Framing, fitPoints, frameBook, type View, widestLens } from "./camera.ts";
 
-const shape: BookShape = {
-  width: 0.13,
-  height: 0.2,
-  thickness: 0.02,
-  leaves: 200,
-  cover: "hard",
-  rim: 0.0032,
-  cloth: "#6a2a26",
-  shadows: 1,
-  fromAbove: false,
-  tilt: 0,
-  margin: 0.03,
-  kind: "typeset",
-  quarterTurned: false,
-  alone: 0,
-};
+const shape = hardcover;
 const rim = 0.0032;
 const framing = (part: Partial<Framing>): Framing => ({
   closedRight: 0,

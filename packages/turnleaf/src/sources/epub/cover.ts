@@ -66,7 +66,8 @@ function isName(
   title: string,
 ): boolean {
   const said = words(text);
-  if (said === "" || said.includes(words(title))) return said === "";
+  if (said === "") return true;
+  if (said.includes(words(title))) return false;
   return names.some((name) => words(name ?? "") === said);
 }
 
