@@ -46,8 +46,12 @@ test("no page is on stamped boards, which shut over all pages", () => {
 
 test("shown page by page, a stamped book has each page once between its boards", () => {
   const { all, binding } = spreadsOf(6, "stamped", "single");
-  expect(all).toEqual([[], [1], [2], [3], [4], [5], [6]]);
-  expect(spreadOf(binding, 6)).toBe(binding.last);
+  // After the last page lie the back board's inside, and the closed book.
+  expect(all).toEqual([[], [1], [2], [3], [4], [5], [6], [], []]);
+  expect(spreadOf(binding, 6)).toBe(binding.last - 2);
   const { all: covered } = spreadsOf(6, "picture", "single");
-  expect(covered).toEqual([[1], [2], [3], [4], [5], [6]]);
+  expect(covered).toEqual([[1], [2], [3], [4], [5], [6], [], []]);
+  // Boards that are pages are the last ones.
+  const bound = bind(6, "hard", { layout: "single" });
+  expect(pagesAt(bound, bound.last)).toEqual([6]);
 });

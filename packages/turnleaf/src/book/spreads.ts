@@ -94,7 +94,10 @@ export function bind(pageCount: number, cover: CoverKind, options: BindOptions =
   // The book does not lie open at a spread that shows only bare paper.
   const begin = lead === 0 || hardCover ? 0 : 1;
   const last = Math.ceil(faces / 2);
-  const end = step === 2 ? last - 1 : faces < 2 * leaves && !hardCover ? leaves - 1 : leaves;
+  // Boards without pages close over the last page; one page on each leaf leaves nothing else beyond it.
+  const hasBack = bare !== "none" && hardCover;
+  const ends = step === 2 ? hasBack : hardCover || faces === 2 * leaves;
+  const end = ends ? leaves : step === 2 ? last - 1 : leaves - 1;
   const binding = {
     pageCount,
     leaves,
