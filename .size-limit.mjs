@@ -39,7 +39,7 @@ const usual = [
     6,
     "detail_pictures fit place_keeper",
   ),
-  part("toolbar and panels", 18, "controls"),
+  part("toolbar and panels", 18.5, "controls"),
   part("on the flat, where there is no WebGL", 10, "canvas2d_backend"),
   part("pages that are elements", 3, "live_pages"),
   part("pages inserted and removed", 2, "page_changes"),

@@ -55,7 +55,7 @@ export class TurnleafBook extends TearableElement {
   static readonly observedAttributes: readonly string[] = [...effects.keys()];
 
   readonly #tree = new ShadowTree();
-  readonly #life = new BookLifecycle(this, this.#tree.stage, {
+  readonly #life = new BookLifecycle(this, this.#tree.stage, this.#tree.home, {
     prepare: async () => {
       await Promise.all([this.#keepPlace(), loadLanguage(languageOf(this))]);
     },
@@ -97,7 +97,7 @@ export class TurnleafBook extends TearableElement {
   #pageChanges: Promise<PageChanges> | null = null;
   readonly #text: TextSetting = new TextSetting(
     this,
-    this.#tree.stage,
+    this.#tree.home,
     () => this.#life.book,
     (error) => this.reportMissingPart(error),
   );
@@ -274,6 +274,17 @@ export class TurnleafBook extends TearableElement {
     const at = this.#tree.plane.fromClient(clientX, clientY);
     const { offsetLeft, offsetTop } = this.#tree.stage;
     return at && new DOMPoint(at.x + offsetLeft, at.y + offsetTop);
+  }
+
+  /**
+   * Returns how large the book would be shown beside a panel, as a fraction of its size without one.
+   *
+   * @param width of the panel, CSS pixels
+   *
+   * @internal
+   */
+  fractionBeside(width: number): number {
+    return this.#viewer?.fractionBeside(width) ?? 1;
   }
 
   /**

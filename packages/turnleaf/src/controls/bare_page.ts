@@ -10,6 +10,7 @@ import { sight } from "./full_screen.ts";
  *
  * @param frame gets the class `bare` while the bars are hidden
  * @param isNarrow returns whether the bars take the place of the book
+ * @returns a function that lets bars over the book be seen for a while, and then hides them
  */
 export function watchTaps(
   book: HTMLElement & Pick<ControlledBook, "pageCount">,
@@ -17,7 +18,7 @@ export function watchTaps(
   stage: HTMLElement,
   isNarrow: () => boolean,
   signal: AbortSignal,
-): void {
+): () => void {
   /** Whether the last press was on the book. */
   let isByHand = false;
   let timer = 0;
@@ -71,4 +72,5 @@ export function watchTaps(
     { signal },
   );
   signal.addEventListener("abort", show);
+  return opened;
 }

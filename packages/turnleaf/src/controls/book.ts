@@ -40,6 +40,8 @@ export interface ControlledBook<Hit extends FoundPlace = FoundPlace> extends HTM
   /** Whether the open page is scrolled and not turned. */
   readonly scrolled: boolean;
   readonly zoom: number;
+  /** Returns how large the book would be shown beside a panel so wide, as a fraction of its size without one. */
+  fractionBeside(width: number): number;
   readonly bookmarks: readonly number[];
   readonly shifts: readonly number[];
   readonly playing: boolean;

@@ -123,14 +123,27 @@ test("Escape leads back to the book, whose keys turn, where the panel was opened
   await userEvent.click(named(root, "Search"));
   await eventually(() => active(root)).toBe("Find in this book");
   await userEvent.keyboard("{Escape}");
-  expect([active(root), frameOf(root)?.matches(":focus-visible")]).toEqual(["book", false]);
+  // It is read on, without a frame around it.
+  const framed = (): boolean => {
+    const stage = root.querySelector("[part=stage]") as HTMLElement;
+    return getComputedStyle(stage, "::after").content !== "none";
+  };
+  expect([active(root), framed()]).toEqual(["book", false]);
   await userEvent.keyboard(" /{Escape} ");
   const turns = () => book.asked.filter((asked) => asked === "next").length;
   expect(turns()).toBe(2);
+  const field = root.querySelector<HTMLInputElement>(".entry") as HTMLInputElement;
+  await userEvent.click(field);
+  await userEvent.keyboard("6{Enter}");
+  expect([active(root), framed()]).toEqual(["book", false]);
   // From beside the book it does so too.
   named(root, "Contents").focus();
   await userEvent.keyboard("{Escape} ");
   expect(turns()).toBe(3);
+  // A reader who goes by Tab sees where.
+  await userEvent.tab();
+  await userEvent.tab({ shift: true });
+  expect([active(root), framed()]).toEqual(["book", true]);
 });
 
 test("what the book's owner wants to be shown stands under the contents", async () => {
@@ -166,6 +179,33 @@ test("on a narrow element the panel goes when something is picked", async () => 
   expect(root.querySelector<HTMLElement>("[part=panel]")?.hidden).toBe(true);
   expect(document.activeElement).toBe(book);
   expect(root.activeElement).toBe(frameOf(root));
+});
+
+test("a panel beside which the book would be too small lies over it, and goes when a place is picked, whose marks stay until one turns on", async () => {
+  const hits = [{ page: 9, before: "a ", text: "whale", after: "" }];
+  let fraction = 0.7;
+  const { book, root } = addFakeBook(820, { hits, fractionBeside: () => fraction });
+  const stage = root.querySelector("[part=stage]") as HTMLElement;
+  const panel = root.querySelector("[part=panel]") as HTMLElement;
+  const hit = () => root.querySelector<HTMLElement>(".hit");
+  named(root, "Search").click();
+  expect([stage.clientWidth, panel.clientWidth]).toEqual([820, 303]);
+  await userEvent.keyboard("whale{Enter}");
+  await eventually(hit).not.toBeNull();
+  hit()?.click();
+  expect([panel.hidden, book.asked.at(-1)]).toEqual([true, "hit 9"]);
+  await clock.task();
+  book.dispatchEvent(new CustomEvent("turnstart"));
+  expect(book.asked.at(-1)).toBe("hit none");
+  // Of another shape it lies beside it, and both stay.
+  named(root, "Search").click();
+  fraction = 0.9;
+  book.dispatchEvent(new CustomEvent("layoutchange"));
+  expect(stage.clientWidth).toBe(820 - 304);
+  hit()?.click();
+  await clock.task();
+  book.dispatchEvent(new CustomEvent("turnstart"));
+  expect([panel.hidden, book.asked.at(-1)]).toEqual([false, "hit 9"]);
 });
 
 test("everything that is pressed is 44 pixels tall and wide, on a desk and on a phone", () => {

@@ -1,6 +1,9 @@
+/** Width of the panel where it does not fill the element, CSS pixels. */
+export const panelWidth = 304;
+
 /** How the controls look. Colours are the themes'. */
 export const style: string = /* css */ `
-.frame { --wide: 304px; }
+.frame { --wide: ${panelWidth}px; }
 .ui { color: var(--turnleaf-ink); font: max(14px, 0.875rem)/1.4 var(--turnleaf-font); accent-color: var(--turnleaf-accent); }
 /* What is selected is the book's text, and not the title or the number of the page with it. */
 .ui { user-select: none; -webkit-user-select: none; }
@@ -43,7 +46,7 @@ export const style: string = /* css */ `
 .held .bubble { opacity: 1; }
 
 .panel { top: 48px; bottom: 52px; inset-inline-end: auto; width: var(--wide); display: flex; flex-direction: column; border-inline-end: 1px solid var(--turnleaf-line); z-index: 3; }
-.frame.open > [part="stage"] { inset-inline-start: var(--wide); }
+.frame.open.shared > [part="stage"] { inset-inline-start: var(--wide); }
 .head { display: flex; padding: 4px; border-bottom: 1px solid var(--turnleaf-line); }
 .head h2 { flex: 1; margin: 0; padding-inline: 12px; align-self: center; font: 1.15em var(--turnleaf-serif); }
 .tabs { display: flex; flex: 1; gap: 2px; }
@@ -146,11 +149,10 @@ export const style: string = /* css */ `
   .panel[data-tab="type"] { top: auto; height: min(58%, 460px); border-radius: 16px 16px 0 0; box-shadow: 0 -4px 24px rgb(0 0 0 / 0.2); }
   .panel[data-tab="type"] .tabs { display: none !important; }
   .panel[data-tab="type"] h2 { display: block !important; }
-  .frame.open > [part="stage"] { inset-inline-start: 0; }
   .ui :is(.entry, .query) { font-size: 16px; }
   .place { padding-inline: 2px 4px; }
 }
-.frame:is(.full, .bare) > [part="stage"] { inset-block: 0; }
+.frame:is(.full, .bare) > [part="stage"], .frame.full > .home { inset-block: 0; }
 .frame > :is(.bar, .pages) { transition: translate 0.25s, visibility 0.25s; }
 :is(.full:not(.awake, .open), .bare:not(.open)) > .bar:not(:focus-within) { translate: 0 -100%; visibility: hidden; }
 :is(.full:not(.awake, .open), .bare:not(.open)) > .pages:not(:focus-within) { translate: 0 100%; visibility: hidden; }

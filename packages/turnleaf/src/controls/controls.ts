@@ -9,7 +9,7 @@ import { watchTaps } from "./bare_page.ts";
 import type { ControlledBook, FoundPlace } from "./book.ts";
 import { BookmarksTab } from "./bookmarks_tab.ts";
 import { ContentsTab } from "./contents_tab.ts";
-import { style } from "./controls.css.ts";
+import { panelWidth, style } from "./controls.css.ts";
 import { watchFullScreen } from "./full_screen.ts";
 import { listenToKeys } from "./keys.ts";
 import { PagesBar } from "./pages_bar.ts";
@@ -38,11 +38,14 @@ const heard = [
   "warnings",
 ];
 
-/**
- * Width in CSS pixels below which the panel lies over the book and closes when
- * something is picked in it.
- */
+/** Width in CSS pixels below which the panel covers the book. */
 const narrow = 720;
+
+/**
+ * How small the book may become beside the panel, as a fraction of its size without that. Where it would be
+ * smaller, the panel lies over it and closes when something is picked in it.
+ */
+const leastBeside = 0.75;
 
 /**
  * Adds controls around a book.
@@ -103,14 +106,13 @@ function build<Hit extends FoundPlace>(
     panel.close();
     // Back to where the reader was: a reader who goes by keys at the button, others in the book.
     const opener = isOpenedByKey ? bar.buttonOf(tab) : undefined;
-    // A frame around the book would stand there while it is read on.
-    const how = { preventScroll: true, focusVisible: isOpenedByKey };
-    if (hadFocus) (opener ?? book).focus(how);
+    if (hadFocus) (opener ?? book).focus({ preventScroll: true });
   };
   const picked = (): void => {
-    if (!isNarrow()) return;
+    if (frame.classList.contains("shared")) return;
     panel.close();
     book.focus({ preventScroll: true });
+    restBars();
   };
   const open = (tab: Tab, opener: HTMLElement | null): void => {
     isOpenedByKey = opener?.matches(":focus-visible") ?? false;
@@ -139,10 +141,19 @@ function build<Hit extends FoundPlace>(
   const actions = actionsOf(book, wording, () => askPrint(book, wording, frame));
   const bar = new Bar(book, wording, actions, toggle);
   const pages = new PagesBar(book, wording);
+  /** Moves the book aside for the open panel where it stays large enough. */
+  const placePanel = (): void => {
+    const isShared =
+      panel.tab !== null && !isNarrow() && book.fractionBeside(panelWidth) >= leastBeside;
+    frame.classList.toggle("shared", isShared);
+  };
   const panel = new Panel(wording, views, close, (tab) => {
     bar.showTab(tab);
     frame.classList.toggle("open", tab !== null);
+    placePanel();
   });
+  const sizes = new ResizeObserver(placePanel);
+  sizes.observe(frame);
   frame.prepend(bar.element, panel.element);
   stage.after(pages.element);
 
@@ -166,6 +177,7 @@ function build<Hit extends FoundPlace>(
     refresh();
   };
   book.addEventListener("load", opened, { signal });
+  for (const name of ["load", "layoutchange"]) book.addEventListener(name, placePanel, { signal });
   book.addEventListener("pageschange", renumbered, { signal });
   const observer = new MutationObserver((records) => {
     // Pages have other colours.
@@ -176,7 +188,7 @@ function build<Hit extends FoundPlace>(
   });
   observer.observe(book, { attributeFilter: watched });
   watchFullScreen(book, frame, refresh, signal);
-  watchTaps(book, frame, stage, isNarrow, signal);
+  const restBars = watchTaps(book, frame, stage, isNarrow, signal);
   listenToKeys(
     book,
     {
@@ -207,6 +219,7 @@ function build<Hit extends FoundPlace>(
   return () => {
     ended.abort();
     observer.disconnect();
+    sizes.disconnect();
     if (panel.tab !== null) panel.close();
     views.search.forget();
     for (const part of [bar, pages, panel]) part.element.remove();

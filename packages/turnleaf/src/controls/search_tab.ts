@@ -25,6 +25,10 @@ export class SearchTab<Hit extends FoundPlace> implements PanelTab {
   #rows: { readonly hit: Hit; readonly where: HTMLElement }[] = [];
   #most = atOnce;
   readonly #more: HTMLElement = make("li");
+  /** Whether the panel is about to close as the reader went to a hit. */
+  #isPicking = false;
+  /** Ends what waits for the reader to turn on from a hit. */
+  #left = new AbortController();
   /** How the text was set that was searched. */
   #typography = "";
 
@@ -57,9 +61,13 @@ export class SearchTab<Hit extends FoundPlace> implements PanelTab {
 
   show(): void {}
 
-  /** The marks disappear with the panel; the list stays for the next time. */
+  /**
+   * The marks disappear with the panel, or, where that closes over a hit, as the reader turns on; the list
+   * stays for the next time.
+   */
   hide(): void {
-    void this.#book.showHit(null);
+    if (this.#isPicking) return;
+    this.#unmark();
     for (const row of this.#results.querySelectorAll("[aria-current]")) {
       row.removeAttribute("aria-current");
     }
@@ -81,7 +89,7 @@ export class SearchTab<Hit extends FoundPlace> implements PanelTab {
     this.#most = atOnce;
     this.#status.textContent = "";
     this.#results.replaceChildren();
-    void this.#book.showHit(null);
+    this.#unmark();
   }
 
   /** Says on which pages the hits are now; text that was set anew is searched again. */
@@ -172,10 +180,30 @@ export class SearchTab<Hit extends FoundPlace> implements PanelTab {
         other.removeAttribute("aria-current");
       }
       row.setAttribute("aria-current", "true");
-      void this.#book.showHit(hit);
+      this.#isPicking = true;
       this.#picked();
+      this.#isPicking = false;
+      void this.#show(hit);
     });
     return { row, where };
+  }
+
+  /** Goes to a hit and marks it: while the panel is open, or until the reader turns on. */
+  async #show(hit: Hit): Promise<void> {
+    this.#left.abort();
+    this.#left = new AbortController();
+    const { signal } = this.#left;
+    await this.#book.showHit(hit);
+    if (signal.aborted) return;
+    const turned = (): void => {
+      if (!this.element.checkVisibility()) this.#unmark();
+    };
+    this.#book.addEventListener("turnstart", turned, { signal });
+  }
+
+  #unmark(): void {
+    this.#left.abort();
+    void this.#book.showHit(null);
   }
 }
 

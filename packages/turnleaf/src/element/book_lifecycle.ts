@@ -65,6 +65,7 @@ export function pdfWorkerOf(element: Element): string | undefined {
 export class BookLifecycle {
   readonly #element: HTMLElement;
   readonly #stage: HTMLElement;
+  readonly #home: HTMLElement;
   readonly #hooks: LifecycleHooks;
   #book: OpenBook | null = null;
   /** Ends the book that is shown, or is about to be. */
@@ -82,10 +83,12 @@ export class BookLifecycle {
    * @param element whose keys turn pages
    *
    * @param stage the place for the canvas, which has its size
+   * @param home has the size of the place where no panel lies beside it
    */
-  constructor(element: HTMLElement, stage: HTMLElement, hooks: LifecycleHooks) {
+  constructor(element: HTMLElement, stage: HTMLElement, home: HTMLElement, hooks: LifecycleHooks) {
     this.#element = element;
     this.#stage = stage;
+    this.#home = home;
     this.#hooks = hooks;
   }
 
@@ -250,7 +253,7 @@ export class BookLifecycle {
       }
       signal.throwIfAborted();
       const parts = { canvas, source, viewer, elements, roll };
-      this.#book = new OpenBook(this.#element, this.#stage, parts, this.#hooks);
+      this.#book = new OpenBook(this.#element, this.#stage, this.#home, parts, this.#hooks);
       // Only now: the element asks for this book when its first layout is reported.
       this.#book.fit();
     } catch (error) {

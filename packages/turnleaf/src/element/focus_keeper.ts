@@ -43,6 +43,19 @@ export function keepFocus(root: ShadowRoot, focus: () => void): void {
   });
 }
 
+/**
+ * Gives an element the class `tabbed` while its reader goes by Tab, not by a pointer: only then is it shown
+ * that it has the focus.
+ */
+export function followTab(element: HTMLElement): void {
+  // Who comes from outside lets go of the key in it.
+  element.addEventListener("keyup", ({ key }) => {
+    if (key === "Tab") element.classList.add("tabbed");
+  });
+  const pressed = (): void => element.classList.remove("tabbed");
+  element.addEventListener("pointerdown", pressed, { capture: true, passive: true });
+}
+
 /** Returns whether an element is shown where it can be used. */
 function canHaveFocus(element: Element): boolean {
   if (!element.isConnected || element.matches(":disabled")) return false;

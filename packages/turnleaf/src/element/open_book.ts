@@ -56,6 +56,7 @@ export class OpenBook {
   readonly roll: RollView | null;
   readonly #element: HTMLElement;
   readonly #stage: HTMLElement;
+  readonly #home: HTMLElement;
   readonly #input: Input;
   readonly #hooks: Pick<OpenBookHooks, "renumbered" | "lists">;
   readonly #plane: ElementPlane;
@@ -64,6 +65,7 @@ export class OpenBook {
   constructor(
     element: HTMLElement,
     stage: HTMLElement,
+    home: HTMLElement,
     { canvas, source, viewer, elements, roll }: OpenBookParts,
     hooks: OpenBookHooks,
   ) {
@@ -86,6 +88,7 @@ export class OpenBook {
     this.reading = new ReadableBook({ source, viewer, canvas, roll, goTo, language }, missingPart);
     this.#element = element;
     this.#stage = stage;
+    this.#home = home;
     this.#plane = plane;
   }
 
@@ -159,7 +162,7 @@ export class OpenBook {
   /** Makes the book as large as its stage, as sharp as the screen shows it, and keeps it so. */
   fit(): void {
     const { signal } = this.#ended;
-    const stage = this.#stage;
+    const [stage, home] = [this.#stage, this.#home];
     const view = this.#element.ownerDocument.defaultView ?? window;
     const plane = this.#plane;
     // As it was measured last: a change of style says nothing of it.
@@ -168,13 +171,16 @@ export class OpenBook {
       const { clientWidth, clientHeight } = stage;
       if (clientWidth > 0 && clientHeight > 0) {
         // Printed, it is as on the screen, scaled.
-        stage.style.setProperty("--screen-width", `${clientWidth}px`);
-        stage.style.setProperty("--screen-height", `${clientHeight}px`);
+        for (const { style, clientWidth, clientHeight } of [home, stage]) {
+          style.setProperty("--screen-width", `${clientWidth}px`);
+          style.setProperty("--screen-height", `${clientHeight}px`);
+        }
         const ratio = view.devicePixelRatio;
         // Whole pixels of the screen, so that those of the canvas are these.
         const width = wholePixels(clientWidth * ratio, pixels?.inlineSize);
         const height = wholePixels(clientHeight * ratio, pixels?.blockSize);
-        this.viewer.resize(width / ratio, height / ratio, ratio, rounded(plane.scale));
+        const room = { width: home.clientWidth, height: home.clientHeight };
+        this.viewer.resize(width / ratio, height / ratio, ratio, rounded(plane.scale), room);
       }
     };
     const observer = new view.ResizeObserver(([entry]) => {

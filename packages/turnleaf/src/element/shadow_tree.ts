@@ -5,7 +5,7 @@ import { ElementPlane } from "../element_plane.ts";
 import type { PageSource } from "../sources/page_source.ts";
 import type { Viewer } from "../viewer/viewer.ts";
 import { countOf, elementTexts, fill, list } from "../words/languages.ts";
-import { keepFocus } from "./focus_keeper.ts";
+import { followTab, keepFocus } from "./focus_keeper.ts";
 
 /**
  * The parts of one element's shadow tree.
@@ -20,6 +20,11 @@ export class ShadowTree {
   readonly frame: HTMLElement = document.createElement("div");
   /** The area in which the book lies: the element without its controls. */
   readonly stage: HTMLElement = document.createElement("div");
+  /**
+   * The area in which the stage lies where no panel lies beside it and no bars are hidden: for that the book is
+   * laid out and its text is set, so that neither changes its pages.
+   */
+  readonly home: HTMLElement = document.createElement("div");
   /** How the stage is seen in the window. */
   readonly plane: ElementPlane = new ElementPlane(this.stage);
   /** Gives the element its size if the page gives it none. */
@@ -32,13 +37,15 @@ export class ShadowTree {
     this.frame.tabIndex = 0;
     this.frame.setAttribute("role", "group");
     this.stage.setAttribute("part", "stage");
+    this.home.className = "home";
     this.#sizer.className = "room";
     this.#message.setAttribute("part", "message");
     this.#message.setAttribute("role", "status");
     this.#live.className = "live";
     this.#live.setAttribute("aria-live", "polite");
+    followTab(this.frame);
     this.stage.append(this.#message, this.#live);
-    this.frame.append(this.stage);
+    this.frame.append(this.home, this.stage);
   }
 
   /** Attaches it to its element, and its style again if another document has dropped that. */
@@ -166,7 +173,8 @@ ${night(':host([theme="night"])')}
 :host(:is([controls], [theme])) { background: var(--turnleaf-desk); }
 .frame:focus { outline: none; }
 .frame:focus-visible { outline: none; }
-.frame:focus-visible > [part="stage"]::after {
+/* It would stand around a book that is read on after a panel, a field or a key of the book's. */
+.frame.tabbed:focus-visible > [part="stage"]::after {
   content: ""; position: absolute; inset: 4px; border: 2px solid var(--turnleaf-accent); border-radius: 8px; pointer-events: none;
 }
 :host([hidden]) { display: none; }
@@ -175,11 +183,12 @@ ${night(':host([theme="night"])')}
   width: max(20rem, var(--width, 0px)); padding-top: min(100% / var(--ratio, 1.2), 90vh); visibility: hidden; pointer-events: none;
 }
 :host([controls]) .room { padding-bottom: 100px; }
-[part="stage"] { position: absolute; inset: 0; overflow: hidden; color-scheme: light; }
-:host([controls]) [part="stage"] { inset-block: 48px 52px; }
+[part="stage"], .home { position: absolute; inset: 0; overflow: hidden; color-scheme: light; }
+.home { visibility: hidden; pointer-events: none; }
+:host([controls]) :is([part="stage"], .home) { inset-block: 48px 52px; }
 /* Where fingers turn pages and the bars would take a fifth of the height, as on phones that lie, they lie over the book. */
 @media (hover: none) {
-  @container turnleaf (max-height: 499px) { :host([controls]) [part="stage"] { inset-block: 0; } }
+  @container turnleaf (max-height: 499px) { :host([controls]) :is([part="stage"], .home) { inset-block: 0; } }
 }
 [part="canvas"] { position: absolute; inset: 0; width: 100%; height: 100%; display: block; }
 [part="message"] {
@@ -199,6 +208,7 @@ ${night(':host([theme="night"])')}
 @media print {
   :host(:is([controls], [theme])) { background: none; }
   :host([controls]) .room { padding-bottom: 0; }
+  .home { inset: auto; width: var(--screen-width, 100%); height: var(--screen-height, 100%); }
   /* As on the screen, with all that lies over it, and as large as fits; the quotient of two lengths is a tangent. */
   .frame > [part="stage"][part] {
     inset: 50% auto auto 50%; width: var(--screen-width, 100%); height: var(--screen-height, 100%);

@@ -170,6 +170,64 @@ test("a jump is a step in the history, and leads back until one reads on", async
   expect(back()?.hidden).toBe(true);
 });
 
+/** Opens a tab of the panel, by its name: where there is no button for it in the bar, by the panel's own. */
+function openTab(root: ShadowRoot, name: string): void {
+  const buttons = () =>
+    [...root.querySelectorAll<HTMLElement>("button[aria-label]")].filter((button) =>
+      button.checkVisibility(),
+    );
+  const press = (name: string) => buttons().find(({ ariaLabel }) => ariaLabel === name);
+  if (!press(name)) press("Contents")?.click();
+  press(name)?.click();
+}
+
+test.each([
+  { width: 1280, height: 800, beside: true },
+  { width: 1920, height: 1080, beside: true },
+  { width: 1024, height: 768, beside: true },
+  // Beside the panel its page would be too small.
+  { width: 820, height: 1180, beside: false },
+  { width: 844, height: 390, beside: false },
+  { width: 390, height: 844, beside: false },
+])(
+  "a panel changes no page of a book in $width × $height, nor does its end",
+  async ({ width, height, beside }) => {
+    const element = await open({ controls: "" });
+    element.style.cssText += `; width: ${width}px; height: ${height}px`;
+    const root = element.shadowRoot as ShadowRoot;
+    const part = (selector: string) => root.querySelector<HTMLElement>(selector);
+    await eventually(() => part(".bar")).not.toBeNull();
+    await clock.pass(1000);
+    await counted(element);
+    await element.goTo(5);
+    const head = await headOf(element);
+    const pages = () => [element.pageCount, element.page, element.shownLayout];
+    const before = pages();
+    const room = part("[part=stage]")?.clientWidth ?? 0;
+    for (const tab of ["Search", "Contents"]) {
+      openTab(root, tab);
+      await clock.pass(1000);
+      await counted(element);
+      const panel = part("[part=panel]")?.getBoundingClientRect() ?? new DOMRect();
+      expect(panel.width).toBeGreaterThan(0);
+      expect(pages(), tab).toEqual(before);
+      expect(await headOf(element)).toBe(head);
+      const stage = part("[part=stage]")?.clientWidth ?? 0;
+      expect(stage).toBe(beside ? room - panel.width : room);
+      // Nothing of it lies under the panel.
+      if (beside) {
+        expect(element.bookBounds?.left).toBeGreaterThanOrEqual(panel.right);
+        expect(element.bookBounds?.right).toBeLessThanOrEqual(width);
+      }
+    }
+    part("[part=panel] [aria-label=Close]")?.click();
+    await clock.pass(1000);
+    await counted(element);
+    expect(pages()).toEqual(before);
+    expect(await headOf(element)).toBe(head);
+  },
+);
+
 test("a search finds the same while pages are counted, wherever they are, and its places stay", async () => {
   const queries = ["w3c1x5", "x59", "w5c3x1 w5c3x2"];
   const placesIn = async (element: TurnleafBook, query: string): Promise<string[]> =>

@@ -23,7 +23,7 @@ export class TextSetting {
   #isRestoring = false;
 
   /**
-   * @param place in which books are shown
+   * @param place in which books are shown where no panel lies beside them
    * @param book returns the open book
    * @param failed called where text could not be set anew
    */

@@ -3,6 +3,7 @@
 import type { ControlledBook, FoundPlace } from "../controls/book.ts";
 import { addControls } from "../controls/controls.ts";
 import type { WarningDetail } from "../element/events.ts";
+import { followTab } from "../element/focus_keeper.ts";
 import { addStyle, style } from "../element/shadow_tree.ts";
 import type { BookDetail, OutlineEntry } from "../sources/page_source.ts";
 import { clock } from "./clock.ts";
@@ -20,6 +21,7 @@ export class FakeBook extends HTMLElement implements ControlledBook {
   shownLayout: "spread" | "single" = "spread";
   scrolled = false;
   zoom = 1;
+  fractionBeside = (_width: number): number => 1;
   bookmarks: readonly number[] = [];
   shifts: readonly number[] = [];
   playing = false;
@@ -216,6 +218,7 @@ export function addFakeBook(
   const frame = document.createElement("div");
   frame.className = "frame";
   frame.tabIndex = 0;
+  followTab(frame);
   frame.setAttribute("role", "group");
   const stage = document.createElement("div");
   stage.setAttribute("part", "stage");

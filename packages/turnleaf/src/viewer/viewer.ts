@@ -65,7 +65,9 @@ export class Viewer {
   readonly #frames: FrameLoop;
   #cssWidth = 0;
   #cssHeight = 0;
-  /** The size of the last `resize`, and the pixel ratio. */
+  /** The size of the place for which the book is laid out, CSS pixels. */
+  #room: PageSize = { width: 0, height: 0 };
+  /** The size of the last `resize`, the pixel ratio and the scale. */
   #sizes: readonly number[] = [];
   #destroyed = false;
 
@@ -127,7 +129,7 @@ export class Viewer {
       moved: arrived,
       landed: () => this.#show(),
       rested: (from, to) => {
-        this.#rebinder.rested(this.#cssWidth, this.#cssHeight);
+        this.#rebinder.rested(this.#room.width, this.#room.height);
         options.onRest(from, to);
       },
     };
@@ -259,14 +261,34 @@ export class Viewer {
   }
 
   /**
-   * How wide a page of the open book is shown, CSS pixels, where it is not zoomed; 0 before the book
-   * has a size, and while a page is shown by itself that others are not like.
+   * How wide a page of the open book is shown, CSS pixels, where it is not zoomed and has its whole room; 0
+   * before the book has a size, and while a page is shown by itself that others are not like.
    */
   get pageWidth(): number {
     if (this.#cssWidth === 0 || this.#rebinder.isAside) return 0;
-    const { from, to } = this.#camera.lookAtRest(() => this.bounds);
     const { alone, quarterTurned } = this.#bound.shape;
-    return (to.x - from.x) / (alone !== 0 || quarterTurned ? 1 : 2);
+    return this.#widthIn(this.#room) / (alone !== 0 || quarterTurned ? 1 : 2);
+  }
+
+  /**
+   * Returns how large the book would be shown if its room were narrower, as a fraction of its size in the
+   * whole room.
+   *
+   * @param width by which it would be, CSS pixels
+   */
+  fractionBeside(width: number): number {
+    const room = this.#room;
+    if (this.#cssWidth === 0 || width >= room.width) return 1;
+    return this.#widthIn({ ...room, width: room.width - width }) / this.#widthIn(room);
+  }
+
+  /** Returns how wide the open book is shown in a place of some size where it is not zoomed, CSS pixels. */
+  #widthIn({ width, height }: PageSize): number {
+    const [cssWidth = 0, cssHeight = 0, pixelRatio = 1, scale] = this.#sizes;
+    this.#stage.resize(width, height, pixelRatio, scale);
+    const { from, to } = this.#camera.lookAtRest(() => this.bounds);
+    this.#stage.resize(cssWidth, cssHeight, pixelRatio, scale);
+    return to.x - from.x;
   }
 
   /** The drags of pointers on it; replaced with every binding. */
@@ -340,17 +362,26 @@ export class Viewer {
    *
    * @param pixelRatio as of `BookStage.resize`
    * @param scale likewise
+   * @param room the place for which the book is laid out, CSS pixels: larger than the canvas while a panel
+   * lies beside that
    */
-  resize(cssWidth: number, cssHeight: number, pixelRatio: number, scale = 1): void {
-    const sizes = [cssWidth, cssHeight, pixelRatio, scale];
+  resize(
+    cssWidth: number,
+    cssHeight: number,
+    pixelRatio: number,
+    scale = 1,
+    room: PageSize = { width: cssWidth, height: cssHeight },
+  ): void {
+    const sizes = [cssWidth, cssHeight, pixelRatio, scale, room.width, room.height];
     // An observer reports the size that is known already, and a frame of the same costs as much as another.
     if (sizes.every((size, k) => size === this.#sizes[k])) return;
     this.#sizes = sizes;
     this.#cssWidth = cssWidth;
     this.#cssHeight = cssHeight;
+    this.#room = room;
     this.#stage.resize(cssWidth, cssHeight, pixelRatio, scale);
     this.sheets.resized();
-    if (!this.#rebinder.suits(cssWidth, cssHeight)) {
+    if (!this.#rebinder.suits(room.width, room.height)) {
       this.#rebinder.bindSoon();
       this.#bindSoon();
     }
@@ -362,7 +393,7 @@ export class Viewer {
   lay(spread: number): void {
     this.#foldOut.close();
     this.turning.lay(clampSpread(this.binding, spread));
-    this.#rebinder.rested(this.#cssWidth, this.#cssHeight);
+    this.#rebinder.rested(this.#room.width, this.#room.height);
     this.#bindAnew();
     this.#show();
   }
@@ -580,7 +611,7 @@ export class Viewer {
     const before = this.binding;
     const page = pageOf(before, this.turning.spread);
     const isRenumbered = this.#rebinder.willRenumber;
-    this.#rebinder.bindAnew(this.#cssWidth, this.#cssHeight);
+    this.#rebinder.bindAnew(this.#room.width, this.#room.height);
     this.sheets.bound();
     this.#frames.bound();
     const { edge, layout } = this.binding;
@@ -595,7 +626,7 @@ export class Viewer {
   #layBare(spread: number): void {
     const from = this.turning.restedAt;
     this.turning.lay(spread);
-    this.#rebinder.rested(this.#cssWidth, this.#cssHeight);
+    this.#rebinder.rested(this.#room.width, this.#room.height);
     if (from !== spread) this.#options.onRest(from, spread);
   }
 
