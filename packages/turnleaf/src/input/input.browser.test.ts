@@ -2,6 +2,7 @@
 
 import { afterEach, expect, test, vi } from "vitest";
 import type { TurnDetail } from "../element/events.ts";
+import { pageTap } from "../element/page_tap.ts";
 import type { TurnleafBook } from "../element.ts";
 import { clock } from "../for_tests/clock.ts";
 import { book, happens, scans, settled } from "../for_tests/element_books.ts";
@@ -271,6 +272,50 @@ test("two fingers zoom about what is between them, one then pans, and edges hold
   expect(element.zoom).toBe(1);
   await settled(element);
 });
+
+test.each(["left", "right"])(
+  "a page by itself in a book bound at its %s turns on at its fore-edge and back beside its spine; a tap between says so once no second comes",
+  async (binding) => {
+    const { element, pointer } = await opened({ layout: "single", binding });
+    const bounds = element.bookBounds as DOMRect;
+    const taps = count(element, "");
+    element.shadowRoot
+      ?.querySelector("[part=stage]")
+      ?.addEventListener(pageTap, () => taps.times++);
+    const touch = { pointerType: "touch" };
+    const at = (fraction: number): [number, number] => {
+      const across = binding === "left" ? fraction : 1 - fraction;
+      return [bounds.left + across * bounds.width, bounds.top + bounds.height / 2];
+    };
+    for (const [place, page] of [
+      [0.9, 7],
+      [0.1, 6],
+      [0.03, 5],
+    ] as const) {
+      pointer.click(...at(place), touch);
+      await eventually(() => element.page).toBe(page);
+      await settled(element);
+    }
+    expect(taps.times).toBe(0);
+    pointer.click(...at(0.5), touch);
+    expect(taps.times).toBe(0);
+    await eventually(() => taps.times).toBe(1);
+    // A double tap zooms.
+    pointer.wait(1000);
+    pointer.click(...at(0.5), touch);
+    pointer.click(...at(0.5), touch);
+    await eventually(() => element.zoom).toBe(2);
+    await clock.pass(500);
+    element.zoom = 1;
+    await settled(element);
+    // A finger that stays selects.
+    pointer.point("pointerdown", ...at(0.5), touch);
+    pointer.wait(600);
+    pointer.point("pointerup", ...at(0.5), touch);
+    await clock.pass(500);
+    expect([taps.times, element.page]).toEqual([1, 5]);
+  },
+);
 
 test("a double tap zooms to the page and back, keys zoom and pan", async () => {
   const { element, pointer } = await opened();

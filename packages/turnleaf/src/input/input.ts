@@ -11,7 +11,7 @@ import { Keys } from "./held_keys.ts";
 import { keepsPointer } from "./own_pointers.ts";
 import { pageZoom } from "./page_zoom.ts";
 import { Pinch } from "./pinch.ts";
-import { Taps } from "./taps.ts";
+import { soon, Taps } from "./taps.ts";
 import type { InputTarget } from "./target.ts";
 import { Wheel } from "./wheel.ts";
 
@@ -43,6 +43,9 @@ const glideTime = 0.4;
 /** Duration of the zoom of a double tap, seconds. */
 const tapZoomTime = 0.28;
 
+/** Maximum duration of a finger's tap, milliseconds: one that stays selects text. */
+const longestTap = 450;
+
 /** A pointer that is down. */
 interface Press extends Place {
   /** What lay under it when it went down. */
@@ -71,6 +74,8 @@ export class Input {
   /** By the pointer's id. */
   readonly #presses = new Map<number, Press>();
   readonly #taps = new Taps();
+  /** Waits for what may be the second of two taps. */
+  #tapped: ReturnType<typeof setTimeout> | undefined;
   readonly #wheel: Wheel;
   #pinch: Pinch | null = null;
   #isPeeking = false;
@@ -120,6 +125,7 @@ export class Input {
   /** Removes every listener. */
   destroy(): void {
     this.#ended.abort();
+    clearTimeout(this.#tapped);
     this.#stage.style.touchAction = "";
   }
 
@@ -247,9 +253,13 @@ export class Input {
     this.#viewer.handled = false;
   }
 
-  #tap({ hit, at }: Press, event: PointerEvent): void {
+  #tap({ hit, at, time }: Press, event: PointerEvent): void {
     const { allows } = this.#target;
-    const inside = hit === null || !allows("click") || !turnsByClick(hit);
+    const isTouch = event.pointerType === "touch";
+    if (isTouch && event.timeStamp - time > longestTap) return;
+    const way = hit === null || !allows("click") ? 0 : this.#clicked(hit);
+    const inside = way === 0;
+    clearTimeout(this.#tapped);
     if (inside && allows("zoom") && this.#taps.tap(event)) {
       const { level, from, to } = pageZoom(
         this.#viewer,
@@ -262,12 +272,22 @@ export class Input {
     }
     if (inside) {
       this.#viewer.commands.tap(at.x, at.y);
-      if (event.pointerType === "touch") this.#target.tapped();
+      // A second tap zooms, and leaves the bars as they are.
+      if (isTouch) this.#tapped = setTimeout(this.#target.tapped, allows("zoom") ? soon : 0);
     }
-    if (hit === null || inside || !isOnLeaf(hit) || this.#viewer.drags.isFlying(hit)) return;
-    const isRight = sideOf(hit) === Side.right;
-    const way = forward(this.#viewer.binding);
-    this.#target.turn(isRight ? way : (-way as 1 | -1), true);
+    if (way === 0 || hit === null || !isOnLeaf(hit) || this.#viewer.drags.isFlying(hit)) return;
+    this.#target.turn(way, true);
+  }
+
+  /**
+   * Returns which way a click on a page turns in the order of reading: at its edge and its corners to
+   * its own side, and beside the spine of one that is shown by itself to the other; 0 for nowhere.
+   */
+  #clicked(hit: DragHit): 1 | 0 | -1 {
+    const { binding } = this.#viewer;
+    if (!turnsByClick(hit)) return binding.layout === "single" && hit.u < edgeZone ? -1 : 0;
+    const way = forward(binding);
+    return isOnLeaf(hit) && sideOf(hit) === Side.right ? way : (-way as 1 | -1);
   }
 
   /**

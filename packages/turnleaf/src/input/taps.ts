@@ -1,10 +1,9 @@
 /** Detects double taps: presses that end where they began, one after the other, close together. */
 
-/**
- * Maximum time between two, milliseconds, and maximum distance, CSS pixels: a
- * finger is less precise than a mouse.
- */
-const soon = 350;
+/** Maximum time between two, milliseconds. */
+export const soon = 350;
+
+/** Maximum distance, CSS pixels: a finger is less precise than a mouse. */
 const near = { mouse: 6, other: 28 };
 
 interface Tap {
