@@ -39,6 +39,11 @@ export interface TextRun extends PageBox {
   readonly angle: number;
   /** Whether a line ends with this run. */
   readonly end: boolean;
+  /**
+   * Whether the paragraph goes on after that end, which is then no part of the text: what is copied has a
+   * space there, or nothing within a word. The default is false.
+   */
+  readonly wraps?: boolean;
   /** Whether its letters stand below each other, as in vertical Japanese: `height` is then along the line. */
   readonly vertical?: boolean;
   /**

@@ -15,6 +15,11 @@ const unspaced =
   /[\p{Script=Han}\p{Script=Hiragana}\p{Script=Katakana}\u3000-\u303f\uff00-\uffef]/u;
 const letter = /[\p{L}\p{M}]/u;
 
+/** Returns whether there is no space between two characters where a line ends between them. */
+export function isRunOn(before: string, after: string): boolean {
+  return unspaced.test(before) && unspaced.test(after);
+}
+
 /** Folded text, and where in the page's runs each of its characters is. */
 export interface FoldedText {
   readonly text: string;
@@ -68,8 +73,8 @@ export function foldRuns(runs: readonly Pick<TextRun, "text" | "end">[]): Folded
         const between = broken > 0 || space;
         if (between && last !== "") {
           const isJoined = letter.test(last) && letter.test(folded) && broken === 1 && !space;
-          const isRunOn = broken === 0 && unspaced.test(last) && unspaced.test(folded);
-          if (!isJoined && !isRunOn) put(broken > 0 ? "-".repeat(broken) : " ", run, place);
+          const isOneWord = isJoined || (broken === 0 && isRunOn(last, folded));
+          if (!isOneWord) put(broken > 0 ? "-".repeat(broken) : " ", run, place);
         }
         put(folded, run, place);
         space = false;

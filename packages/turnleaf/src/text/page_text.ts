@@ -1,6 +1,7 @@
 /** One open page's text as elements: transparent, selectable, each piece exactly over its ink. */
 
 import type { TextRun } from "../sources/page_source.ts";
+import { isRunOn } from "./case_folding.ts";
 import { fontSize, fractionBefore, widthOf } from "./fitting.ts";
 import { formulaOf } from "./formula.ts";
 import { isFlat, matrixOf, type Project, placeIn } from "./run_place.ts";
@@ -15,15 +16,16 @@ interface Piece {
 /** Maximum distance of a word from its ink, CSS pixels. */
 const mostOff = 1;
 
-/** Returns the page's text as elements in reading order, a line's end after each line. */
+/** Returns the page's text as elements in reading order, a line's end after each line that ends in itself. */
 export function layText(runs: readonly TextRun[], project: Project): Node[] {
-  return runs.flatMap((run) => {
+  return runs.flatMap((run, k) => {
     const place = placeIn(run, project);
     const formula = run.math === undefined ? null : formulaOf(run.math);
     const pieces = run.vertical || formula ? [wholeOf(run)] : piecesOf(run, place);
     const nodes: Node[] = pieces.map((piece) => {
       const span = document.createElement("span");
-      span.textContent = piece.text;
+      // The end of the line alone has put a hyphen there.
+      span.textContent = piece.text.replaceAll("\u00ad", "");
       span.dir = "auto";
       const printed = piece.text.trimEnd() || piece.text;
       const length = widthOf(printed);
@@ -50,9 +52,16 @@ export function layText(runs: readonly TextRun[], project: Project): Node[] {
       formula.style.cssText = span.style.cssText;
       nodes.push(formula);
     }
-    if (run.end) nodes.push(document.createElement("br"));
+    if (run.end) nodes.push(...endOf(run, runs[k + 1]));
     return nodes;
   });
+}
+
+/** Returns what stands between a line and the next one: a line's end, or where a paragraph goes on what joins its words. */
+function endOf({ text, wraps }: TextRun, next: TextRun | undefined): Node[] {
+  if (!wraps || !next) return [document.createElement("br")];
+  const isJoined = /[\s\u00ad]$/.test(text) || isRunOn(text.slice(-1), next.text.charAt(0));
+  return isJoined ? [] : [document.createTextNode(" ")];
 }
 
 function wholeOf({ text }: TextRun): Piece {

@@ -10,6 +10,7 @@ import { happens, scans, settled } from "../for_tests/element_books.ts";
 import { eventually } from "../for_tests/eventually.ts";
 import { clickMouse, dragMouse, toolSession } from "../for_tests/real_mouse.ts";
 import { awayAndBack, boxIn, fonts, line, openedWhale, spansOf } from "../for_tests/text_books.ts";
+import { tinyEpub } from "../sources/epub/tiny_epub.ts";
 import { tinyPdf } from "../sources/tiny_pdf.ts";
 
 let element: TurnleafBook;
@@ -36,6 +37,26 @@ test("a drag with the mouse selects, and what is copied has words and lines", as
   // As a reader does: a script's own copy would need a recent press.
   await userEvent.keyboard("{Control>}c{/Control}");
   await eventually(() => copied).toBe("Call me\nIshmael. Some\nyears ago");
+});
+
+test("what is copied of a book of flowing text has its paragraphs, without the ends of their lines and their hyphens", async () => {
+  const loaded = happens(element, "load");
+  const paragraph =
+    "Considerations of extraordinary <i>responsibilities</i> notwithstanding, administrators characteristically misunderstand constitutional <b>recommendations</b>.";
+  const japanese = "吾輩は猫である名前はまだ無い".repeat(4);
+  const chapter = `<p>${paragraph}</p><p>${paragraph}</p><p>One<br/>two</p><pre>a\nb</pre><p lang="ja">${japanese}</p>`;
+  element.setAttribute("hyphens", "auto");
+  element.setAttribute("lang", "en");
+  element.pages = new File([tinyEpub({ chapters: [chapter] })], "flow.epub");
+  await loaded;
+  await settled(element);
+  await eventually(() => spans().length).toBeGreaterThan(10);
+  getSelection()?.selectAllChildren(root().querySelector(".text") as HTMLElement);
+  const read = paragraph.replace(/<.*?>/g, "");
+  expect(String(getSelection()).trim().split("\n")).toEqual([
+    ...[read, read, "One", "two", "a", "b", japanese],
+  ]);
+  element.removeAttribute("hyphens");
 });
 
 test("the text is away while a leaf turns, and another lies there afterwards", async () => {

@@ -194,9 +194,10 @@ export class TextMap {
         const box = this.#onPage(rect, page);
         if (line === null || !continues(line, box, isVertical)) {
           if (line !== null && isWithinWord(text, k) && hasHyphens(node)) endInWord(line);
-          line = { text: "", box, boxes: [], isVertical };
+          line = { text: "", box, boxes: [], isVertical, node, from: k, to: k };
           lines.push(line);
         }
+        line.to = next;
         line.text += letters;
         for (let unit = 0; unit < letters.length; unit++) line.boxes.push(box);
         if (!isBlank(text, k)) line.box = union(line.box, box);
@@ -223,7 +224,30 @@ export class TextMap {
     const text = cleanRun(math.getAttribute(formulaAttribute) ?? math.textContent ?? "");
     if (text === "" || !first) return [];
     const box = others.reduce(union, first);
-    return [{ text, box, boxes: [], isVertical: isVerticalIn(math), math: xmlOf(math) }];
+    const line = {
+      text,
+      box,
+      boxes: [],
+      isVertical: isVerticalIn(math),
+      node: math,
+      from: 0,
+      to: 0,
+    };
+    return [{ ...line, math: xmlOf(math) }];
+  }
+
+  /** Returns whether a line ends only because there is no more room in it. */
+  #wraps(line: Line, next: Line): boolean {
+    const { node } = line;
+    if (node === next.node) {
+      const between = (node as Text).data.slice(line.to, next.from);
+      return !(/\n/.test(between) && keepsLines(node as Text));
+    }
+    const block = blockOf(node);
+    if (block !== blockOf(next.node)) return false;
+    this.#range.setStartAfter(node);
+    this.#range.setEndBefore(next.node);
+    return this.#range.cloneContents().querySelector("br") === null;
   }
 
   #onPage(rect: DOMRect, page: number): PageBox {
@@ -232,13 +256,14 @@ export class TextMap {
     return { x: rect.left - page * stepX, y: rect.top - page * stepY, width, height };
   }
 
-  #runOf(
-    { text, box, boxes, isVertical, math }: Line,
-    next: Line | undefined,
-    exact: boolean,
-  ): TextRun {
+  #runOf(line: Line, next: Line | undefined, exact: boolean): TextRun {
+    const { text, box, boxes, isVertical, math } = line;
     const goesOn = next?.isVertical === isVertical && continues({ box }, next.box, isVertical);
-    const run = { text, ...box, angle: 0, end: !goesOn, ...(isVertical ? { vertical: true } : {}) };
+    const run = {
+      ...{ text, ...box, angle: 0, end: !goesOn },
+      ...(isVertical ? { vertical: true } : {}),
+      ...(exact && !goesOn && next && this.#wraps(line, next) ? { wraps: true } : {}),
+    };
     if (math !== undefined) return { ...run, math };
     if (!exact || isVertical || box.width === 0) return run;
     const places = boxes.map(({ x }) => Math.min((x - box.x) / box.width, 1));
@@ -250,6 +275,10 @@ export class TextMap {
 
 /** Letters on one line. */
 interface Line {
+  /** What they are of, and which of its characters. */
+  readonly node: Piece["node"];
+  readonly from: number;
+  to: number;
   text: string;
   box: PageBox;
   readonly boxes: PageBox[];
@@ -279,6 +308,24 @@ function isVerticalIn(node: Piece["node"]): boolean {
   const parent = node.parentElement as Element;
   const view = node.ownerDocument.defaultView as Window;
   return !view.getComputedStyle(parent).writingMode.startsWith("horizontal");
+}
+
+/** Returns whether lines end where they do in a text. */
+function keepsLines({ parentElement, ownerDocument }: Text): boolean {
+  const view = ownerDocument.defaultView as Window;
+  return (
+    parentElement !== null && /pre|break/.test(view.getComputedStyle(parentElement).whiteSpace)
+  );
+}
+
+/** Returns the box in whose lines a piece stands. */
+function blockOf(node: Piece["node"]): Element | null {
+  const view = node.ownerDocument.defaultView as Window;
+  let at = node.parentElement;
+  while (at && /^(inline|contents|ruby\b.*)$/.test(view.getComputedStyle(at).display)) {
+    at = at.parentElement;
+  }
+  return at;
 }
 
 /** Returns where the blanks of a line that go on at `at` end: the next letter or line, or the text's length. */
