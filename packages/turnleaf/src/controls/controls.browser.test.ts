@@ -306,6 +306,31 @@ test("keys turn, zoom and search; those of a field and of the browser are left a
   expect(book.asked).toEqual([]);
 });
 
+test("keys go to the book after a pointer has pressed a button, and to the button after a key has", async () => {
+  const { book, root } = addFakeBook();
+  await userEvent.click(named(root, "Bookmark this page"));
+  expect(book.bookmarks).toEqual([4]);
+  await userEvent.keyboard(" ");
+  expect([book.bookmarks, book.asked]).toEqual([[4], ["next"]]);
+  await userEvent.click(named(root, "Contents"));
+  await eventually(() => root.querySelectorAll(".contents .line").length).toBe(5);
+  await userEvent.click(root.querySelectorAll(".contents .line")[1] as HTMLElement);
+  await userEvent.click(named(root, "More"));
+  const items = [...root.querySelectorAll<HTMLElement>(".menu [role^=menuitem]")];
+  await userEvent.click(items.find((item) => item.checkVisibility()) as HTMLElement);
+  book.asked.length = 0;
+  await userEvent.keyboard(" ");
+  expect(book.asked).toEqual(["next"]);
+  // More opens and shuts its menu.
+  for (const isOpen of [true, false]) {
+    await userEvent.click(named(root, "More"));
+    expect(root.querySelector<HTMLElement>(".menu")?.hidden).toBe(!isOpen);
+  }
+  named(root, "Zoom in").focus();
+  await userEvent.keyboard("{Enter}{End}{Enter}{Escape}");
+  expect([active(root), book.zoom]).toEqual(["More", 1.5]);
+});
+
 test("in a dialog of the web page's own, keys are the book's, and Escape closes the panel first", async () => {
   const { book, root } = addFakeBook();
   const dialog = document.createElement("dialog");

@@ -214,6 +214,15 @@ function build<Hit extends FoundPlace>(
     },
     signal,
   );
+  // Who presses a button by a pointer reads on by keys: the next one is for the book, not the button again.
+  const leaveButtons = (event: MouseEvent): void => {
+    const button = (event.target as Element).closest("button, a");
+    if (!button || button.closest(".menu") || !button.closest(".bar, .pages, .panel")) return;
+    event.preventDefault();
+    // The menu takes the focus, and would close without it.
+    if (!button.hasAttribute("aria-haspopup")) book.focus({ preventScroll: true });
+  };
+  frame.addEventListener("mousedown", leaveButtons, { signal });
   refresh();
 
   return () => {

@@ -29,7 +29,9 @@ const always: readonly ActionName[] = [
  */
 export class Menu {
   readonly element: HTMLElement;
+  readonly #book: ControlledBook;
   readonly #opener: HTMLButtonElement;
+  #isOpenedByKey = false;
   #refreshers: (() => void)[] = [];
 
   /** @param opener the button under which it opens */
@@ -39,6 +41,7 @@ export class Menu {
     actions: Readonly<Record<ActionName, Action>>,
     opener: HTMLButtonElement,
   ) {
+    this.#book = book;
     this.#opener = opener;
     this.element = make("div", {
       role: "menu",
@@ -68,6 +71,7 @@ export class Menu {
   }
 
   open(): void {
+    this.#isOpenedByKey = this.#opener.matches(":focus-visible");
     this.refresh();
     this.element.hidden = false;
     this.#opener.setAttribute("aria-expanded", "true");
@@ -76,12 +80,12 @@ export class Menu {
     items[0]?.focus();
   }
 
-  /** @param returns whether the focus goes back to the button */
+  /** @param returns whether the focus goes back to the button, or to the book if a pointer pressed that */
   close(returns = true): void {
     if (this.element.hidden) return;
     this.element.hidden = true;
     this.#opener.setAttribute("aria-expanded", "false");
-    if (returns) this.#opener.focus();
+    if (returns) (this.#isOpenedByKey ? this.#opener : this.#book).focus({ preventScroll: true });
   }
 
   refresh(): void {

@@ -111,6 +111,8 @@ export class PagesBar {
     for (const end of ["pointerup", "pointercancel", "blur"]) {
       slider.addEventListener(end, held(false));
     }
+    // It is read on by keys; who moves the slider by keys keeps it.
+    slider.addEventListener("pointerup", () => this.#book.focus({ preventScroll: true }));
     this.#back.addEventListener("click", () => {
       this.#book.focus({ preventScroll: true });
       this.#book.jumpBack();
