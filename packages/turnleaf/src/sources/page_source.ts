@@ -44,6 +44,8 @@ export interface TextRun extends PageBox {
    * space there, or nothing within a word. The default is false.
    */
   readonly wraps?: boolean;
+  /** The level of the heading in which it stands, 1 to 6, for screen readers. The default is none. */
+  readonly heading?: number;
   /** Whether its letters stand below each other, as in vertical Japanese: `height` is then along the line. */
   readonly vertical?: boolean;
   /**

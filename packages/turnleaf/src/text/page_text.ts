@@ -16,45 +16,73 @@ interface Piece {
 /** Maximum distance of a word from its ink, CSS pixels. */
 const mostOff = 1;
 
-/** Returns the page's text as elements in reading order, a line's end after each line that ends in itself. */
+/**
+ * Returns the page's text as elements in reading order, a line's end after each line that ends in itself;
+ * headings in one of their own.
+ */
 export function layText(runs: readonly TextRun[], project: Project): Node[] {
-  return runs.flatMap((run, k) => {
-    const place = placeIn(run, project);
-    const formula = run.math === undefined ? null : formulaOf(run.math);
-    const pieces = run.vertical || formula ? [wholeOf(run)] : piecesOf(run, place);
-    const nodes: Node[] = pieces.map((piece) => {
-      const span = document.createElement("span");
-      // The end of the line alone has put a hyphen there.
-      span.textContent = piece.text.replaceAll("\u00ad", "");
-      span.dir = "auto";
-      const printed = piece.text.trimEnd() || piece.text;
-      const length = widthOf(printed);
-      const [width, height] = run.vertical ? [fontSize, length] : [length, fontSize];
-      const matrix = matrixOf(place, piece.from, piece.to, width, height);
-      if (matrix === null) span.hidden = true;
-      else {
-        // The width is that of the ink: a space at the end extends beyond it,
-        // on whichever side that is.
-        Object.assign(span.style, {
-          transform: matrix,
-          width: `${width}px`,
-          height: `${height}px`,
-        });
-        if (run.vertical) span.style.writingMode = "vertical-rl";
-      }
-      return span;
-    });
-    // A formula is read in place of its text, which is what is selected and copied.
-    const [span] = nodes;
-    if (formula && span instanceof HTMLElement) {
-      span.ariaHidden = "true";
-      formula.setAttribute("class", "formula");
-      formula.style.cssText = span.style.cssText;
-      nodes.push(formula);
+  const nodes: Node[] = [];
+  let heading: HTMLElement | null = null;
+  for (const [k, run] of runs.entries()) {
+    const before = runs[k - 1];
+    const goesOn = before?.heading === run.heading && (!before?.end || before.wraps);
+    if (!goesOn) heading = null;
+    if (run.heading !== undefined && heading === null) {
+      heading = headingElement(run.heading);
+      nodes.push(heading);
     }
-    if (run.end) nodes.push(...endOf(run, runs[k + 1]));
-    return nodes;
+    const laid = layRun(run, runs[k + 1], project);
+    if (heading) heading.append(...laid);
+    else nodes.push(...laid);
+  }
+  return nodes;
+}
+
+/** Returns an element without a box, which screen readers find among the headings. */
+function headingElement(level: number): HTMLElement {
+  const element = document.createElement("div");
+  element.className = "heading";
+  element.setAttribute("role", "heading");
+  element.ariaLevel = String(level);
+  return element;
+}
+
+function layRun(run: TextRun, next: TextRun | undefined, project: Project): Node[] {
+  const place = placeIn(run, project);
+  const formula = run.math === undefined ? null : formulaOf(run.math);
+  const pieces = run.vertical || formula ? [wholeOf(run)] : piecesOf(run, place);
+  const nodes: Node[] = pieces.map((piece) => {
+    const span = document.createElement("span");
+    // The end of the line alone has put a hyphen there.
+    span.textContent = piece.text.replaceAll("\u00ad", "");
+    span.dir = "auto";
+    const printed = piece.text.trimEnd() || piece.text;
+    const length = widthOf(printed);
+    const [width, height] = run.vertical ? [fontSize, length] : [length, fontSize];
+    const matrix = matrixOf(place, piece.from, piece.to, width, height);
+    if (matrix === null) span.hidden = true;
+    else {
+      // The width is that of the ink: a space at the end extends beyond it,
+      // on whichever side that is.
+      Object.assign(span.style, {
+        transform: matrix,
+        width: `${width}px`,
+        height: `${height}px`,
+      });
+      if (run.vertical) span.style.writingMode = "vertical-rl";
+    }
+    return span;
   });
+  // A formula is read in place of its text, which is what is selected and copied.
+  const [span] = nodes;
+  if (formula && span instanceof HTMLElement) {
+    span.ariaHidden = "true";
+    formula.setAttribute("class", "formula");
+    formula.style.cssText = span.style.cssText;
+    nodes.push(formula);
+  }
+  if (run.end) nodes.push(...endOf(run, next));
+  return nodes;
 }
 
 /** Returns what stands between a line and the next one: a line's end, or where a paragraph goes on what joins its words. */

@@ -44,17 +44,25 @@ test("what is copied of a book of flowing text has its paragraphs, without the e
   const paragraph =
     "Considerations of extraordinary <i>responsibilities</i> notwithstanding, administrators characteristically misunderstand constitutional <b>recommendations</b>.";
   const japanese = "吾輩は猫である名前はまだ無い".repeat(4);
-  const chapter = `<p>${paragraph}</p><p>${paragraph}</p><p>One<br/>two</p><pre>a\nb</pre><p lang="ja">${japanese}</p>`;
+  const chapter = `<h6>Of <i>things</i><br/>and others</h6><p>${paragraph}</p><p lang="ja">${japanese}</p><p>One<br/>two</p><pre>a\nb</pre>`;
   element.setAttribute("hyphens", "auto");
   element.setAttribute("lang", "en");
   element.pages = new File([tinyEpub({ chapters: [chapter] })], "flow.epub");
   await loaded;
   await settled(element);
+  await element.goTo(1);
+  await settled(element);
   await eventually(() => spans().length).toBeGreaterThan(10);
   getSelection()?.selectAllChildren(root().querySelector(".text") as HTMLElement);
   const read = paragraph.replace(/<.*?>/g, "");
   expect(String(getSelection()).trim().split("\n")).toEqual([
-    ...[read, read, "One", "two", "a", "b", japanese],
+    ...["Of things", "and others", read, japanese, "One", "two", "a", "b"],
+  ]);
+  // Screen readers find its headings.
+  const headings = [...root().querySelectorAll<HTMLElement>(".text [role=heading]")];
+  expect(headings.map(({ textContent, ariaLevel }) => [textContent, ariaLevel])).toEqual([
+    ["Of things", "6"],
+    ["and others", "6"],
   ]);
   element.removeAttribute("hyphens");
 });

@@ -262,6 +262,7 @@ export class TextMap {
     const run = {
       ...{ text, ...box, angle: 0, end: !goesOn },
       ...(isVertical ? { vertical: true } : {}),
+      ...(exact ? headingOf(line.node) : {}),
       ...(exact && !goesOn && next && this.#wraps(line, next) ? { wraps: true } : {}),
     };
     if (math !== undefined) return { ...run, math };
@@ -316,6 +317,12 @@ function keepsLines({ parentElement, ownerDocument }: Text): boolean {
   return (
     parentElement !== null && /pre|break/.test(view.getComputedStyle(parentElement).whiteSpace)
   );
+}
+
+/** Returns the level of the heading in which a piece stands, as a run has it. */
+function headingOf({ parentElement }: Piece["node"]): Pick<TextRun, "heading"> {
+  const heading = parentElement?.closest("h1, h2, h3, h4, h5, h6");
+  return heading ? { heading: Number(heading.localName.charAt(1)) } : {};
 }
 
 /** Returns the box in whose lines a piece stands. */
