@@ -87,11 +87,12 @@ const pictures = {
   },
   "loose-sheets": {
     ...besideCalendar,
+    viewport: { width: 1400, height: 480 },
     strip: {
       act: tearOutTwo,
       move: pileUp,
-      after: [1000, 2600, 1900, 2000],
-      clip: { x: 790, y: 0, width: 410, height: 480 },
+      after: [1000, 2600, 3600, 2000],
+      clip: { x: 890, y: 0, width: 510, height: 480 },
     },
   },
   "tear-across": {
@@ -245,13 +246,12 @@ async function tearOutAndHold(page) {
         canvas.dispatchEvent(new PointerEvent(name, { ...who, ...how }));
       }
     };
-    // The sheet lies askew, and that edge with it.
     window.fingersAt = (away, degrees) => {
-      const angle = ((117 + degrees) * Math.PI) / 180;
+      const angle = ((90 + degrees) * Math.PI) / 180;
       const [x, y] = [away * Math.cos(angle), away * Math.sin(angle)];
       return [
-        [945 - x, 221 - y],
-        [945 + x, 221 + y],
+        [777 - x, 240 - y],
+        [777 + x, 240 + y],
       ];
     };
     window.fingers("pointerdown", window.fingersAt(50, 0));
@@ -293,9 +293,16 @@ async function takeStrip(page, viewport, { act, move, after, release, clip }) {
   for (const [k, milliseconds] of after.entries()) {
     if (k === release) await page.mouse.up();
     await move?.(page, k);
-    await page.evaluate((milliseconds) => window.clock.pass(milliseconds), milliseconds);
+    const rests = await page.evaluate((milliseconds) => {
+      window.clock.pass(milliseconds);
+      if (!window.clock.rests) return false;
+      // It has come to rest before, in a frame that was not drawn.
+      document.querySelector("turnleaf-book").redraw();
+      return true;
+    }, milliseconds);
     // What is loaded for it comes in real time.
     await page.waitForTimeout(500);
+    if (rests) await page.evaluate(() => window.clock.pass(1));
     frames.push(await page.screenshot({ clip }));
   }
   return frames;

@@ -32,6 +32,10 @@ export function driveClock() {
     frames: 0,
     /** Whether the frame under way is the last one of its time, which is the one that is seen. */
     last: true,
+    /** Whether no frame is waited for. */
+    get rests() {
+      return waiting.length === 0;
+    },
     /** Lets a time pass, in frames of 60 Hz. */
     pass(milliseconds) {
       for (let t = 0; t < milliseconds; t += 1000 / 60) {
