@@ -17,9 +17,14 @@ uniform sampler2D detail;
 uniform vec4 detailBox;
 ${printGridChunk}
 
-vec4 solid(vec4 seen) {
-  // What is clear is black, and takes from the colour of the pixels that it is blended into.
-  return vec4(seen.rgb / max(seen.a, 0.01), seen.a);
+// What is clear is black, and takes from the colour of the pixels that it is blended into. What is not quite
+// opaque has its colour: so far as the texel at the place has it, "seen" is less opaque only by what is clear.
+vec4 solid(sampler2D from, vec2 at, vec4 seen) {
+  if (seen.a > 0.99) return seen;
+  ivec2 texels = textureSize(from, 0);
+  float own = texelFetch(from, clamp(ivec2(floor(at * vec2(texels))), ivec2(0), texels - 1), 0).a;
+  float printed = own > 0.0 ? min(seen.a / own, 1.0) : seen.a;
+  return vec4(seen.rgb / max(printed, 0.01), seen.a);
 }
 
 // A picture of "size" pixels of the screen, where "at" of them is seen.
@@ -35,7 +40,7 @@ vec4 onGrid(sampler2D seen, vec2 at, vec2 size, float shortening) {
 
 vec4 printedOnGrid() {
   vec3 place = gridPlace();
-  vec4 whole = solid(onGrid(picture, place.xy, gridSize, place.z));
+  vec4 whole = solid(picture, place.xy / gridSize, onGrid(picture, place.xy, gridSize, place.z));
   if (detailBox.x > 1.0) return whole;
   vec2 at = place.xy - detailBox.xy * gridSize;
   vec2 size = detailBox.zw * gridSize;
@@ -45,7 +50,7 @@ vec4 printedOnGrid() {
 
 vec4 printed(vec2 uv) {
   if (gridCorner.z > 0.0) return printedOnGrid();
-  vec4 whole = solid(texture2D(picture, uv, -0.4));
+  vec4 whole = solid(picture, uv, texture2D(picture, uv, -0.4));
   if (detailBox.x > 1.0) return whole;
   vec2 at = (uv - detailBox.xy) / detailBox.zw;
   vec2 within = step(vec2(0.0), at) * step(at, vec2(1.0));

@@ -112,7 +112,7 @@ vec3 besidePrint(vec4 print, vec2 uv) {
   if (thin > 0.5 && leaf < 0.5) discard;
   vec3 ink = mix(bare, print.rgb, smoothstep(0.4, 0.6, print.a));
   if (thin > 0.5) return ink;
-  vec4 under = solid(texture2D(beneath, onPicture(uv), -0.4));
+  vec4 under = solid(beneath, onPicture(uv), texture2D(beneath, onPicture(uv), -0.4));
   // The edge shades what lies under it.
   float near = texture2D(picture, onPicture(uv), 4.0).a;
   vec3 lower = mix(bare, under.rgb, under.a) * (1.0 - 0.3 * near);

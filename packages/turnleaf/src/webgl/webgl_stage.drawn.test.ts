@@ -5,6 +5,7 @@ import { columnPlace } from "../engine/shapes.ts";
 import { clock } from "../for_tests/clock.ts";
 import { drawAtOnce, drawSharply } from "../for_tests/drawn_when_seen.ts";
 import type { BookPose, BookShape } from "../stage/book_pose.ts";
+import type { DrawOptions } from "../stage/book_stage.ts";
 import { WebGLStage } from "./webgl_stage.ts";
 
 const shape: BookShape = {
@@ -91,8 +92,8 @@ function standingLeaf(angle: number): Surface {
 }
 
 /** Returns the colour where a place is seen, by default halfway up a page that lies flat. */
-function colourAt(stage: WebGLStage, x: number, z = 0): number[] {
-  stage.draw();
+function colourAt(stage: WebGLStage, x: number, z = 0, how: DrawOptions = {}): number[] {
+  stage.draw(how);
   const copy = document.createElement("canvas");
   copy.width = canvas.width;
   copy.height = canvas.height;
@@ -109,6 +110,17 @@ test("a flat page of a scan is exactly its own picture", () => {
   stage.pose(open);
   expect(colourAt(stage, -0.07)).toEqual([0xc0, 0x8a, 0x4b, 255]);
   expect(colourAt(stage, 0.07)).toEqual([0xfb, 0xf5, 0xe8, 255]);
+});
+
+test("where a picture is not quite opaque its colour is as bright, drawn on its mesh and on the screen's pixels", () => {
+  const stage = newStage();
+  stage.setFace("left", plainPicture("rgb(128 128 128 / 0.7)"));
+  stage.setFace("right", plainPicture("#fbf5e8"));
+  stage.pose(open);
+  for (const steady of [false, true]) {
+    const [red] = colourAt(stage, -0.07, 0, { steady });
+    expect(Math.abs((red ?? 0) - 128), String(steady)).toBeLessThan(3);
+  }
 });
 
 test("deep among leaves that stand close it is warm and dim, not black", () => {
