@@ -3,9 +3,7 @@
  * question for a computed style may have the browser lay out: what no style mentions is not asked for.
  */
 
-/** Elements of text, to which no browser's own style gives a place, a cut or a movement. */
-const textElements =
-  "a, abbr, article, b, blockquote, br, cite, code, dd, div, dl, dt, em, h1, h2, h3, h4, h5, h6, i, kbd, li, ol, p, pre, q, rb, rp, rt, ruby, s, samp, section, small, span, strong, sub, sup, table, tbody, td, th, thead, tr, u, ul, var, wbr";
+import { textElements } from "./typography.ts";
 
 /** Pictures and fonts in style sheets, as `cleanCss` writes them. */
 const dataAddress = /url\("data:[^"]*"\)/g;
@@ -48,12 +46,12 @@ export class StyleMentions {
 
   /**
    * Returns the elements in a section's body to which some properties may apply: all boxes where style
-   * mentions one, and else those to which browsers give them.
+   * mentions one, and else those to which browsers may give them: none of text.
    */
   boxesWith(body: Element, properties: readonly string[]): NodeListOf<HTMLElement> {
     return this.has(properties)
       ? boxesIn(body)
-      : body.querySelectorAll<HTMLElement>(`:not(${textElements})`);
+      : body.querySelectorAll<HTMLElement>(`:not(br, ${textElements})`);
   }
 }
 
