@@ -39,9 +39,10 @@ export class StyleMentions {
     if (properties.some((name) => this.#names.has(name))) return true;
     // Drawings have properties as attributes.
     if (this.#html.querySelector(properties.map((name) => `[${name}]`).join(","))) return true;
-    const declared = new RegExp(`(?:^|[\\s;])(?:${properties.join("|")}):`);
     const own = [this.#html, ...this.#html.querySelectorAll("[style]")];
-    return own.some((element) => declared.test(element.getAttribute("style") ?? ""));
+    return own.some((element) =>
+      namesIn(element.getAttribute("style") ?? "").some((name) => properties.includes(name)),
+    );
   }
 
   /**
@@ -60,5 +61,12 @@ function namesIn(css: string): readonly string[] {
   return css
     .replace(dataAddress, "")
     .split(":")
-    .map((before) => /[\w-]*$/.exec(before.trimEnd().slice(-longestName))?.[0] ?? "");
+    .map(
+      (before) =>
+        before
+          .trimEnd()
+          .slice(-longestName)
+          .split(/[^\w-]/)
+          .pop() ?? "",
+    );
 }
