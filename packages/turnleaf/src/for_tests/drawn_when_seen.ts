@@ -14,7 +14,10 @@ import { hookContexts } from "./webgl_contexts.ts";
 const between = 30;
 
 /** The pixels of a book at rest, as it is shown to readers. */
-const sharp = Object.getOwnPropertyDescriptor(WebGLStage.prototype, "restingRatio");
+const sharp = Object.getOwnPropertyDescriptor(
+  WebGLStage.prototype,
+  "restingDots",
+) as PropertyDescriptor;
 
 const due = new Map<WebGLStage, DrawOptions | undefined>();
 const { draw, destroy } = WebGLStage.prototype;
@@ -36,14 +39,14 @@ export function drawAtOnce(): void {
 
 /** Has the stages of a file draw a book at rest with as many pixels as readers see, for tests of those. */
 export function drawSharply(): void {
-  if (sharp) Object.defineProperty(WebGLStage.prototype, "restingRatio", sharp);
+  Object.defineProperty(WebGLStage.prototype, "restingDots", sharp);
 }
 
 /** Has the stages of a file draw a book at rest with the screen's pixels, and no more of them. */
 export function drawPlainly(): void {
-  Object.defineProperty(WebGLStage.prototype, "restingRatio", {
+  Object.defineProperty(WebGLStage.prototype, "restingDots", {
     get(this: WebGLStage): number {
-      return Math.min(sharp?.get?.call(this), devicePixelRatio);
+      return Math.min(sharp.get?.call(this), 1);
     },
     configurable: true,
   });

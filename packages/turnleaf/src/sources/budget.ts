@@ -70,6 +70,7 @@ interface PictureCost extends Cost {
 }
 
 const nothing: Cost = { elements: 0, layers: 0, filterSteps: 0, isClipped: false };
+const plainCost: Cost = { ...nothing, elements: 1 };
 const noPicture: PictureCost = { ...nothing, pixels: 0 };
 
 /** Declarations for which an element and what is in it are drawn on a layer of their own. */
@@ -190,6 +191,7 @@ class Count {
     const known = this.#costs.get(element);
     // What names itself is not drawn.
     if (known !== undefined) return known ?? nothing;
+    if (isPlain(element) && !this.#styles.has(element)) return plainCost;
     this.#costs.set(element, null);
     let elements = spanOf(element);
     let layers = 0;
@@ -253,6 +255,7 @@ class Count {
       }
     }
     for (const element of this.#elements) {
+      if (!element.hasAttributes()) continue;
       this.#checkDeclarations(ownStyle(element).replace(dataAddress, ""), values);
     }
   }
@@ -322,6 +325,7 @@ class Count {
       ),
     );
     for (const element of this.#elements) {
+      if (!element.hasAttributes()) continue;
       for (const [, address] of ownStyle(element).matchAll(dataAddress)) counted.add(address ?? "");
       const address = pictureOf(element);
       if (address === "") continue;
@@ -362,6 +366,11 @@ class Count {
     const size = await claimedSize(image);
     return { ...noPicture, pixels: size ? size.width * size.height : 0 };
   }
+}
+
+/** Returns whether an element has neither attributes nor others in it. */
+function isPlain(element: Element): boolean {
+  return !element.hasAttributes() && element.firstElementChild === null;
 }
 
 /** Returns an element's own style. */

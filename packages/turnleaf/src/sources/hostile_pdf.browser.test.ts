@@ -229,6 +229,21 @@ test.skipIf(!isLong).each(Object.keys(hostilePdfs))(
   },
 );
 
+test("one that is given up while it is opened leaves nothing uncaught", async () => {
+  const { pdfTime } = limits;
+  const bytes = await hostilePdfs["300,000 links, each an object"]?.();
+  Object.assign(limits, { pdfTime: 24 });
+  try {
+    const opening = openSource(new File([bytes as Uint8Array<ArrayBuffer>], "a.pdf"));
+    expect(await messageOf(opening)).toBe(
+      "a.pdf takes more time or memory than a book may; make it simpler.",
+    );
+  } finally {
+    Object.assign(limits, { pdfTime });
+  }
+  await expectQuiet();
+});
+
 test("what is filled in a form is there after its worker was started anew", async () => {
   const { pdfSteps } = limits;
   const source = await openSource(

@@ -113,6 +113,8 @@ export class PdfFile {
       return { thread, document, ended: ending.signal, close, end };
     } catch (error) {
       close();
+      // One that is given up would hear of it once it has read on, and reports that as an error of its own.
+      if (error instanceof WorkerStalled) end();
       signal?.throwIfAborted();
       throw sentenceFor(pdfjs, error, name, pdfWorker);
     }

@@ -194,14 +194,14 @@ export class WebGLStage implements BookStage {
   }
 
   get restingRatio(): number {
-    return this.#ratio * this.#restingDots;
+    return this.#ratio * this.restingDots;
   }
 
   /**
    * Pixels of the canvas across one of the screen at rest: as many as make edges smooth, and a whole
    * number, so that the mean of those of a texel is that texel.
    */
-  get #restingDots(): number {
+  get restingDots(): number {
     const [width, height] = [this.#width * this.#ratio, this.#height * this.#ratio];
     // The canvas is no larger than the GPU supports.
     const most = this.#renderer.capabilities.maxTextureSize;
@@ -245,7 +245,7 @@ export class WebGLStage implements BookStage {
   }
 
   draw(options?: DrawOptions): void {
-    const most = this.#restingDots;
+    const most = this.restingDots;
     const dots = options?.resting ? most : Math.min(options?.pixels ?? 1, most);
     const ratio = this.#ratio * dots;
     const [width, height] = [Math.round(this.#width * ratio), Math.round(this.#height * ratio)];

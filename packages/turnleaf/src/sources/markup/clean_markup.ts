@@ -111,6 +111,7 @@ export async function cleanMarkup(
   for (const element of root.querySelectorAll(unshown)) element.remove();
   await inlinePictures(root, files);
   for (const element of [root, ...root.querySelectorAll("*")]) {
+    if (!element.hasAttributes()) continue;
     const meaning = element.getAttribute("epub:type");
     if (meaning !== null) element.setAttributeNS(semantics, "epub:type", meaning);
     const language = element.getAttribute("xml:lang");

@@ -1,6 +1,7 @@
 /** Pages that a book begins where no browser breaks a column: at the break of a line, at a picture in one, and in boxes that do not break. */
 
 import { isUnbroken, opened, setStyles } from "./box_styles.ts";
+import type { StyleMentions } from "./style_mentions.ts";
 
 /** What stands in a line and is no text: a page is begun at it as at a box. */
 const inLine = /^(img|svg|video|object)$/;
@@ -10,8 +11,10 @@ const inLine = /^(img|svg|video|object)$/;
  *
  * @param body the section's body, laid out in columns
  * @param writingMode of the section
+ * @param mentions of the section's own style
  */
-export function honourBreaks(body: Element, writingMode: string): void {
+export function honourBreaks(body: Element, writingMode: string, mentions: StyleMentions): void {
+  if (!mentions.has(["break-before", "break-after"])) return;
   const view = body.ownerDocument.defaultView as Window;
   for (const element of body.querySelectorAll<HTMLElement>("*")) {
     const parent = element.parentElement;

@@ -51,13 +51,14 @@ export function divide(root: Element): readonly Element[] {
 function lengthOf(node: Node, lengths: Map<Node, number>): number {
   if (node.nodeType === Node.TEXT_NODE) return node.nodeValue?.length ?? 0;
   let length = elementLength;
-  const isEnd = ({ nodeName }: Node): boolean => nodeName.toLowerCase() === "br";
-  const hasLines = [...node.childNodes].filter(isEnd).length > mostLines;
-  for (const child of node.childNodes) {
+  const ends: Node[] = [];
+  for (let child = node.firstChild; child; child = child.nextSibling) {
     length += lengthOf(child, lengths);
-    if (!hasLines || !isEnd(child)) continue;
-    length += longestPiece / mostLines - elementLength;
-    lengths.set(child, longestPiece / mostLines);
+    if ((child as Partial<Element>).localName === "br") ends.push(child);
+  }
+  if (ends.length > mostLines) {
+    length += ends.length * (longestPiece / mostLines - elementLength);
+    for (const end of ends) lengths.set(end, longestPiece / mostLines);
   }
   lengths.set(node, length);
   return length;
@@ -80,7 +81,7 @@ class Divider {
 
   /** Divides what is in the innermost open element. */
   divide(container: Element): void {
-    for (const child of container.childNodes) {
+    for (let child = container.firstChild; child; child = child.nextSibling) {
       const length = this.#lengths.get(child) ?? child.nodeValue?.length ?? 0;
       if (length > longestPiece && child instanceof Text) this.#divideText(child);
       else if (length > longestPiece && child instanceof Element && !whole.test(child.localName)) {

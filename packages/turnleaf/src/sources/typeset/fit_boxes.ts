@@ -7,6 +7,7 @@
 import type { PageSize } from "../page_source.ts";
 import { opened, type Styles, setStyles, tableParts, tolerance } from "./box_styles.ts";
 import { splitTable } from "./split_table.ts";
+import { boxesIn } from "./style_mentions.ts";
 
 /** Rounds of measuring and changing: a box that is opened shows those within it, at most so deep. */
 const rounds = 8;
@@ -41,7 +42,7 @@ export function fitBoxes(
   for (let round = 0; round < rounds; round++) {
     const changes: [HTMLElement, Styles][] = [];
     let done: Element | null = null;
-    for (const element of [body, ...body.querySelectorAll<HTMLElement>("*")]) {
+    for (const element of [body as HTMLElement, ...boxesIn(body)]) {
       if (!(element instanceof view.HTMLElement) || known.has(element)) continue;
       // What is within a box that changes is looked at once that has changed.
       if (done?.contains(element)) continue;
@@ -95,10 +96,10 @@ function widthOf(rects: readonly DOMRect[], isVertical: boolean): number {
 
 /** Returns whether a line in a box that is on one page is longer than the box. */
 function isOverlong(element: HTMLElement, isVertical: boolean): boolean {
-  const [inner, content] = isVertical
-    ? [element.clientHeight, element.scrollHeight]
-    : [element.clientWidth, element.scrollWidth];
-  return inner > 0 && content > inner + tolerance;
+  // Only a box has one: a part of a line has no width of its own.
+  const inner = isVertical ? element.clientHeight : element.clientWidth;
+  if (inner === 0) return false;
+  return (isVertical ? element.scrollHeight : element.scrollWidth) > inner + tolerance;
 }
 
 /**

@@ -200,12 +200,14 @@ export function unmoved<T>({ root }: LayoutFrame, measure: () => T): T {
 }
 
 /** Waits until the pictures and fonts of a section are there, or have failed. */
-export async function loadedIn({ document }: LayoutFrame, html: HTMLElement): Promise<void> {
+export async function loadedIn({ document, fonts }: LayoutFrame, html: HTMLElement): Promise<void> {
   // Laid out once, it is known which fonts are used.
   html.getBoundingClientRect();
   // Not decoded: only those of a page that is drawn are.
   const images = [...html.querySelectorAll("img")].map(
     (image) => image.complete || new Promise((done) => (image.onload = image.onerror = done)),
   );
+  // Waiting for nothing would let the page draw a section that is about to be changed.
+  if (images.length === 0 && fonts().length === 0) return;
   await Promise.all([document.fonts.ready, ...images]);
 }

@@ -1,6 +1,7 @@
 /** Boxes of which a book shows nothing, as of words for screen readers alone: none of their text is on paper. */
 
 import { setStyles } from "./box_styles.ts";
+import type { StyleMentions } from "./style_mentions.ts";
 import type { PageFlow } from "./text_map.ts";
 
 /** A box of at most so many CSS pixels shows nothing of what is cut at its edges. */
@@ -9,11 +10,14 @@ const nothing = 1;
 /** Cuts that leave nothing of a box. */
 const emptyClip = /^inset\((?:50|100)%(?: (?:50|100)%)*\)$/;
 
+/** Properties by which a box may show nothing. */
+const hiding = ["overflow", "overflow-x", "overflow-y", "clip", "clip-path", "position"];
+
 /**
  * Hides the boxes in a section's body, laid out, of which nothing is seen: as their edges cut it, or as they lie
  * before the first page, where no browser scrolls to.
  */
-export function hideUnseen(body: Element, flow: PageFlow): void {
+export function hideUnseen(body: Element, flow: PageFlow, mentions: StyleMentions): void {
   const view = body.ownerDocument.defaultView as Window & typeof globalThis;
   const range = body.ownerDocument.createRange();
   const liesBefore = (element: Element): boolean => {
@@ -22,7 +26,7 @@ export function hideUnseen(body: Element, flow: PageFlow): void {
     return [element, range].every((one) => isBefore(one.getBoundingClientRect(), flow));
   };
   const hidden: HTMLElement[] = [];
-  for (const element of body.querySelectorAll("*")) {
+  for (const element of mentions.boxesWith(body, hiding)) {
     if (!(element instanceof view.HTMLElement)) continue;
     const style = view.getComputedStyle(element);
     const { overflowX, overflowY, clip, clipPath, display, position } = style;

@@ -25,6 +25,7 @@ import { blankIds, isNoteLink } from "./notes.ts";
 import { leafOf, measuresOf, type PageMeasures } from "./page_measures.ts";
 import { mostNanoseconds, paintingOf } from "./paint_cost.ts";
 import { placeBoxes } from "./place_boxes.ts";
+import { StyleMentions } from "./style_mentions.ts";
 import { type PageFlow, pageOfRect, TextMap } from "./text_map.ts";
 import { trimHeights } from "./trim_heights.ts";
 import { isTypeface, typefaceRules } from "./typefaces/typefaces.ts";
@@ -117,8 +118,9 @@ export async function laySection(
   const own = [baseStyle, ...content.styles];
   if (!content.size && isTypeface(font)) own.unshift(await typefaceRules(font));
   let flow: PageFlow = { stepX: 0, stepY: 0, isVertical: false };
+  const mentions = new StyleMentions(content.styles, html);
   frame.adopt([...own, reader]);
-  const { writingMode, direction, isMixed } = writingOf(body, view);
+  const { writingMode, direction, isMixed } = writingOf(body, view, mentions);
   const isVertical = !writingMode.startsWith("horizontal");
   // Lines that stand upright are scrolled page by page.
   const isSliced = isScrolled && !isVertical && !content.size;
@@ -157,11 +159,11 @@ export async function laySection(
     const ends = isSliced ? { height: Number.POSITIVE_INFINITY } : {};
     const fitted = new WeakSet<Element>();
     const fit = (): void => fitBoxes(body, { ...area, ...ends }, writingMode, fitted);
-    hideUnseen(body, flow);
-    if (!isSliced) honourBreaks(body, writingMode);
+    hideUnseen(body, flow, mentions);
+    if (!isSliced) honourBreaks(body, writingMode, mentions);
     fit();
     fitFormulas(body, isVertical);
-    if (placeBoxes(frame, body, flow, { ...page, ...ends })) fit();
+    if (placeBoxes(frame, body, flow, { ...page, ...ends }, mentions)) fit();
     if (!isSliced) trimHeights(body, flow, area);
     if (isMixed) fixCrossed(body);
   }
@@ -187,7 +189,7 @@ export async function laySection(
     },
   };
   if (paintingOf(html, content.styles, size, flow) > mostNanoseconds) throw new OverpaintedError();
-  const text = new TextMap(body, flow, pageCount);
+  const text = new TextMap(body, flow, pageCount, mentions);
   const styles = withUsedFonts([spokenStyle, ...own], frame);
   const margins: MarginStyle | null =
     content.size || isSliced

@@ -47,7 +47,7 @@ export function paintingOf(
   flow: PageFlow,
 ): number {
   const all = [root, ...root.querySelectorAll("*")];
-  const isDrawn = root.querySelectorAll("svg *").length > mostNanoseconds;
+  const isDrawn = root.querySelectorAll(":scope svg *").length > mostNanoseconds;
   const hasEffects =
     sheets.some((css) => effects.test(css)) || all.some((one) => effects.test(ownText(one)));
   if (!isDrawn && !hasEffects) return 0;
@@ -84,9 +84,10 @@ const mostRects = 100;
 
 /** Returns what an element says of its own style. */
 function ownText(element: Element): string {
-  const { attributes } = element;
-  if (attributes.length === 0) return "";
-  return [...attributes].map(({ name, value }) => `${name}:${value.slice(0, 2000)}`).join(";");
+  if (!element.hasAttributes()) return "";
+  return [...element.attributes]
+    .map(({ name, value }) => `${name}:${value.slice(0, 2000)}`)
+    .join(";");
 }
 
 /** Returns what a pixel of an element's own box takes. */

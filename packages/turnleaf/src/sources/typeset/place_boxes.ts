@@ -7,6 +7,7 @@
 import type { PageSize } from "../page_source.ts";
 import { pageBox, pagesOf, type Styles, setStyles, tolerance } from "./box_styles.ts";
 import { drawingOf, isMoved, type LayoutFrame, moving, unmoved } from "./frame.ts";
+import { boxesIn, type StyleMentions } from "./style_mentions.ts";
 import { type PageFlow, pageOfRect } from "./text_map.ts";
 
 /** Rounds of measuring and changing: what is put back takes with it what is in it. */
@@ -22,6 +23,7 @@ type Placed = HTMLElement | SVGElement;
  *
  * @param body the section's body, laid out
  * @param size of a page, CSS pixels; of no end in height if pages hang together
+ * @param mentions of the section's own style
  * @returns whether anything was put back
  */
 export function placeBoxes(
@@ -29,19 +31,23 @@ export function placeBoxes(
   body: Element,
   flow: PageFlow,
   size: PageSize,
+  mentions: StyleMentions,
 ): boolean {
   const view = body.ownerDocument.defaultView as Window & typeof globalThis;
-  const elements = [...body.querySelectorAll<Placed>("*")].filter(
-    (element) => drawingOf(element, body) === element,
-  );
+  const isWhole = (element: Element): boolean => drawingOf(element, body) === element;
+  const elements: readonly Placed[] = [...boxesIn(body)].filter(isWhole);
+  const movable: readonly Placed[] = mentions.has([...moving, "offset"]) ? elements : [];
   const known = new Set<Placed>();
   for (let round = 0; round < rounds; round++) {
     const changes: [Placed, Styles][] = [];
-    const moved = elements.filter(
-      (element) => !known.has(element) && element.getClientRects().length > 0 && isMoved(element),
+    const moved = new Set(
+      movable.filter(
+        (element) => !known.has(element) && element.getClientRects().length > 0 && isMoved(element),
+      ),
     );
-    const places = unmoved(frame, () => moved.map((element) => element.getBoundingClientRect()));
-    moved.forEach((element, k) => {
+    const rects = (): DOMRect[] => [...moved].map((element) => element.getBoundingClientRect());
+    const places = moved.size === 0 ? [] : unmoved(frame, rects);
+    [...moved].forEach((element, k) => {
       const page = pageOfRect(flow, places[k] as DOMRect);
       const rect = element.getBoundingClientRect();
       const still = Object.fromEntries(moving.map((name) => [name, "none"]));
@@ -49,7 +55,7 @@ export function placeBoxes(
       if (change) changes.push([element, change]);
     });
     for (const element of elements) {
-      if (known.has(element) || moved.includes(element)) continue;
+      if (known.has(element) || moved.has(element)) continue;
       const change = changeOf(element, view.getComputedStyle(element), flow, size);
       if (change) changes.push([element, change]);
     }
@@ -86,10 +92,11 @@ function changeOf(
     position === "relative"
       ? { x: px("left") || -px("right"), y: px("top") || -px("bottom") }
       : { x: px("margin-left"), y: Math.min(px("margin-top"), 0) };
-  const squeezed = position === "absolute" ? null : squeezedChange(element, style);
-  if (squeezed) return squeezed;
-  const indent = px("text-indent");
   const isAway = position === "absolute";
+  const squeezed = isAway ? null : squeezedChange(element, style);
+  if (squeezed) return squeezed;
+  // It is that of a box, not of a part of its lines.
+  const indent = style.display === "inline" ? 0 : px("text-indent");
   if (!isAway && shift.x === 0 && shift.y === 0 && indent === 0) return null;
   const rects = [...element.getClientRects()];
   const [first] = rects;

@@ -6,6 +6,7 @@ import { formulaAttribute } from "../markup/formulas.ts";
 import { xmlOf } from "../markup/xml.ts";
 import type { PageBox, TextRun } from "../page_source.ts";
 import { repeatedAttribute } from "./split_table.ts";
+import type { StyleMentions } from "./style_mentions.ts";
 
 /** How a section's pages lie beside each other in its frame. */
 export interface PageFlow {
@@ -45,14 +46,17 @@ export class TextMap {
   readonly #pieces: readonly Piece[];
   readonly #range: Range;
 
-  /** @param body its element, laid out */
-  constructor(body: Element, flow: PageFlow, pageCount: number) {
+  /**
+   * @param body its element, laid out
+   * @param mentions of the section's own style
+   */
+  constructor(body: Element, flow: PageFlow, pageCount: number, mentions: StyleMentions) {
     this.#flow = flow;
     this.#range = body.ownerDocument.createRange();
     const starts: (number | undefined)[] = Array.from({ length: pageCount });
     const pieces: Piece[] = [];
     let offset = 0;
-    for (const node of textNodes(body)) {
+    for (const node of textNodes(body, mentions.has(["visibility"]))) {
       const length = lengthOf(node);
       const piece = this.#pieceOf(node, offset, pageCount);
       if (piece) {
@@ -361,30 +365,30 @@ function union(a: PageBox, b: PageBox): PageBox {
 /**
  * Returns what is read and seen, in order: text, and formulas whole; readings of ruby stand beside what
  * they read.
+ *
+ * @param mayHide whether some of it may not be visible
  */
-function* textNodes(body: Element): Generator<Piece["node"]> {
+function textNodes(body: Element, mayHide: boolean): readonly Piece["node"][] {
   const view = body.ownerDocument.defaultView as Window;
-  const walker = body.ownerDocument.createTreeWalker(
-    body,
-    NodeFilter.SHOW_TEXT | NodeFilter.SHOW_ELEMENT,
-    (node) => {
-      const parent = node.parentElement as Element;
-      const { localName } = node as Partial<Element>;
-      if (!isText(node) && (node as Element).hasAttribute(repeatedAttribute)) {
-        return NodeFilter.FILTER_REJECT;
+  const found: Piece["node"][] = [];
+  const collect = (parent: Element): void => {
+    const isSeen = !mayHide || view.getComputedStyle(parent).visibility === "visible";
+    for (let node = parent.firstChild; node !== null; node = node.nextSibling) {
+      if (isText(node)) {
+        if (isSeen) found.push(node);
+        continue;
       }
-      // What is in one is rejected with it.
-      if (parent.localName === "math" || localName === "rt" || localName === "rp") {
-        return NodeFilter.FILTER_REJECT;
-      }
-      if (!isText(node) && localName !== "math") return NodeFilter.FILTER_SKIP;
-      const isSeen = view.getComputedStyle(parent).visibility === "visible";
-      return isSeen ? NodeFilter.FILTER_ACCEPT : NodeFilter.FILTER_SKIP;
-    },
-  );
-  for (let node = walker.nextNode(); node !== null; node = walker.nextNode()) {
-    yield node as Piece["node"];
-  }
+      if (node.nodeType !== Node.ELEMENT_NODE) continue;
+      const element = node as Element;
+      const { localName } = element;
+      const isReading = localName === "rt" || localName === "rp";
+      if (isReading || element.hasAttribute(repeatedAttribute)) continue;
+      if (localName !== "math") collect(element);
+      else if (isSeen) found.push(element);
+    }
+  };
+  collect(body);
+  return found;
 }
 
 /** Returns whether a node is text; it may be of another window. */

@@ -3,6 +3,7 @@
 import type { PageSize } from "../page_source.ts";
 import { pagesOf, setStyles, tolerance } from "./box_styles.ts";
 import { drawingOf } from "./frame.ts";
+import { boxesIn } from "./style_mentions.ts";
 import { type PageFlow, pageOfRect } from "./text_map.ts";
 
 /** What has a height without anything in it. */
@@ -26,7 +27,7 @@ export function trimHeights(body: Element, flow: PageFlow, area: PageSize): void
   }
   /** What is around boxes that are changed: it is higher by them alone. */
   const around = new Set<Element>();
-  for (const element of [...body.querySelectorAll<HTMLElement>("*")].reverse()) {
+  for (const element of [...boxesIn(body)].reverse()) {
     if (around.has(element)) continue;
     const rects = [...element.getClientRects()];
     if (rects.length < 2 || element.matches(replaced)) continue;

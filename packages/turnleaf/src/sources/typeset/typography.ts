@@ -36,7 +36,8 @@ a { color: inherit; }
 .turnleaf-film { display: inline-block; background: #000; }
 `;
 
-const textElements =
+/** Elements of text: browsers give them fonts and margins, and neither a place, a cut nor a movement. */
+export const textElements: string =
   "html, body, div, section, article, p, li, dd, dt, blockquote, td, th, span, em, i, strong, b, a, small";
 
 /** Returns the style sheet above the book's own. */

@@ -1,3 +1,5 @@
+import type { StyleMentions } from "./style_mentions.ts";
+
 /** Languages that are written from right to left. */
 const rightToLeft = /^(ar|arc|ckb|dv|fa|he|ks|ps|sd|syr|ug|ur|yi)\b(?!-(Latn|Cyrl))/;
 
@@ -22,9 +24,12 @@ const paged: Readonly<Record<string, string>> = { "sideways-lr": "vertical-lr" }
  * in it, or of each.
  *
  * @param body the section's body, laid out
+ * @param mentions of the section's own style
  */
-export function writingOf(body: Element, view: Window): Writing {
+export function writingOf(body: Element, view: Window, mentions: StyleMentions): Writing {
   const own = view.getComputedStyle(body);
+  const isNamed = body.closest("[dir]") ?? body.querySelector("[dir], bdi, bdo");
+  if (!isNamed && !mentions.has(["writing-mode", "direction"])) return writingIn(own, false);
   const ways = new Map<string, { readonly writing: CSSStyleDeclaration; letters: number }>();
   const walker = body.ownerDocument.createTreeWalker(body, NodeFilter.SHOW_TEXT);
   for (let node = walker.nextNode(); node !== null; node = walker.nextNode()) {
@@ -37,6 +42,9 @@ export function writingOf(body: Element, view: Window): Writing {
     else ways.set(`${writingMode} ${direction}`, { writing, letters });
   }
   const [most] = [...ways.values()].sort((a, b) => b.letters - a.letters);
-  const { writingMode, direction } = most?.writing ?? own;
-  return { writingMode: paged[writingMode] ?? writingMode, direction, isMixed: ways.size > 1 };
+  return writingIn(most?.writing ?? own, ways.size > 1);
+}
+
+function writingIn({ writingMode, direction }: CSSStyleDeclaration, isMixed: boolean): Writing {
+  return { writingMode: paged[writingMode] ?? writingMode, direction, isMixed };
 }

@@ -31,7 +31,9 @@ export async function divideWords(body: Element): Promise<void> {
     const language = languageOf(parent);
     const name = patternsOf(language);
     if (name === null || canDivide(body, language)) continue;
-    texts.set(name, [...(texts.get(name) ?? []), node]);
+    const alike = texts.get(name);
+    if (alike) alike.push(node);
+    else texts.set(name, [node]);
   }
   const named = await Promise.all(
     [...texts].map(async ([name, nodes]) => [await loadPatterns(name), nodes] as const),
