@@ -97,6 +97,8 @@ export async function cleanMarkup(
   };
   // Nothing on paper opens them.
   for (const one of root.querySelectorAll("details")) one.setAttribute("open", "");
+  for (const one of root.querySelectorAll('[hidden="until-found" i]'))
+    one.removeAttribute("hidden");
   for (const math of root.querySelectorAll("math:not(math math)")) prepareFormula(math);
   for (const medium of root.querySelectorAll("audio, video")) placeOf(medium, files);
   for (const object of root.querySelectorAll("object")) await pictureOf(object, files);

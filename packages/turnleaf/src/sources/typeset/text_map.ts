@@ -15,6 +15,14 @@ export interface PageFlow {
   readonly isVertical: boolean;
 }
 
+/** A letter of a text that reaches over several lines, with the marks beside it. */
+export interface InitialLetter {
+  /** Where it ends in its text. */
+  readonly end: number;
+  /** Its size over that of the letters after it. */
+  readonly scale: number;
+}
+
 /** A piece of text on some pages, or a formula, which is on one. */
 interface Piece {
   readonly node: Text | Element;
@@ -42,12 +50,22 @@ export class TextMap {
   /** The number of all characters. */
   readonly length: number;
   readonly #flow: PageFlow;
+  readonly #initials: ReadonlyMap<Node, InitialLetter>;
   readonly #pieces: readonly Piece[];
   readonly #range: Range;
 
-  /** @param body its element, laid out */
-  constructor(body: Element, flow: PageFlow, pageCount: number) {
+  /**
+   * @param body its element, laid out
+   * @param initials its letters that reach over several lines, by their texts
+   */
+  constructor(
+    body: Element,
+    flow: PageFlow,
+    pageCount: number,
+    initials: ReadonlyMap<Node, InitialLetter>,
+  ) {
     this.#flow = flow;
+    this.#initials = initials;
     this.#range = body.ownerDocument.createRange();
     const starts: (number | undefined)[] = Array.from({ length: pageCount });
     const pieces: Piece[] = [];
@@ -191,8 +209,8 @@ export class TextMap {
       if (on > page) break;
       const letters = cleanRun(text.slice(k, next));
       if (on === page && letters !== "") {
-        const box = this.#onPage(rect, page);
-        if (line === null || !continues(line, box, isVertical)) {
+        const box = this.#onPage(this.#wholeRect(node, k, rect), page);
+        if (line === null || !continues(line, box, isVertical) || isOther(line, box, isVertical)) {
           if (line !== null && isWithinWord(text, k) && hasHyphens(node)) endInWord(line);
           line = { text: "", box, boxes: [], isVertical };
           lines.push(line);
@@ -224,6 +242,18 @@ export class TextMap {
     if (text === "" || !first) return [];
     const box = others.reduce(union, first);
     return [{ text, box, boxes: [], isVertical: isVerticalIn(math), math: xmlOf(math) }];
+  }
+
+  /** Returns the place of a letter of which the browser tells another height than it has. */
+  #wholeRect(node: Text, at: number, rect: DOMRect): DOMRect {
+    const initial = this.#initials.get(node);
+    if (!initial || at >= initial.end) return rect;
+    const { x, y, width, height } = rect;
+    if (!this.#flow.isVertical) return new DOMRect(x, y, width, height * initial.scale);
+    const whole = width * initial.scale;
+    const view = node.ownerDocument.defaultView as Window;
+    const { writingMode } = view.getComputedStyle(node.parentElement as Element);
+    return new DOMRect(writingMode === "vertical-rl" ? x + width - whole : x, y, whole, height);
   }
 
   #onPage(rect: DOMRect, page: number): PageBox {
@@ -295,6 +325,15 @@ function continues({ box }: { box: PageBox }, next: PageBox, isVertical: boolean
     : [box.y, box.height, next.y, next.height];
   const shared = Math.min(from + length, nextFrom + nextLength) - Math.max(from, nextFrom);
   return shared > Math.min(length, nextLength) / 2;
+}
+
+/** A letter of so many times another's height stands in a line of its own, which reaches over several. */
+const largeLetter = 1.5;
+
+/** Returns whether a letter is one that reaches over several lines while those of its text do not, or the other way round. */
+function isOther({ box }: { box: PageBox }, next: PageBox, isVertical: boolean): boolean {
+  const [own, other] = isVertical ? [box.width, next.width] : [box.height, next.height];
+  return Math.max(own, other) > largeLetter * Math.min(own, other);
 }
 
 function union(a: PageBox, b: PageBox): PageBox {
