@@ -245,6 +245,13 @@ test.each([
   await expectDrawnAsLaid(source);
 });
 
+test("a mark over a letter of another element is text with it", async () => {
+  const source = await laidOutEpub({
+    chapters: ["<p>a <b>b</b><i>\u0303moon</i> e\u0301 n<span>\u0303</span>o</p>"],
+  });
+  expect((await pagesOf(source)).map(letters)).toEqual(["ab\u0303moone\u0301n\u0303o"]);
+});
+
 test("words of the controls of forms are text, where they are drawn, and no others", async () => {
   const source = await laidOutEpub({
     chapters: [
@@ -266,6 +273,30 @@ test("what waits to be found is there, as nothing on paper finds it", async () =
     chapters: ['<p>before</p><div hidden="until-found">found</div><p hidden="">hidden</p>'],
   });
   expect((await pagesOf(source)).map(letters)).toEqual(["beforefound"]);
+  await expectDrawnAsLaid(source);
+});
+
+test.each([
+  ["words", `<mtext>${"long words of a formula ".repeat(8)}</mtext>`],
+  [
+    "a table",
+    `<mtable>${`<mtr><mtd>${"<mi>a</mi><mo>+</mo>".repeat(30)}</mtd><mtd>${"<mi>b</mi><mo>=</mo>".repeat(30)}</mtd></mtr><mtr><mtd><mi>c</mi></mtd></mtr>`.repeat(2)}</mtable>`,
+  ],
+  [
+    "a table in rows",
+    `<mi>x</mi><mo>=</mo><mrow><mtable><mtr><mtd><mtext>${"if it is so and ".repeat(12)}</mtext></mtd></mtr></mtable></mrow>`,
+  ],
+])("a formula with %s wider than a line is broken within", async (_, parts) => {
+  const source = await laidOutEpub({
+    chapters: [
+      `<p>before</p><math xmlns="http://www.w3.org/1998/Math/MathML" display="block">${parts}</math><p>after</p>`,
+    ],
+  });
+  const runs = (await source.text?.(0, never)) ?? [];
+  const { width } = await source.size(0);
+  const formula = runs.find(({ math }) => math);
+  expect((formula?.x ?? width) + (formula?.width ?? 0)).toBeLessThan(width);
+  expect(formula?.height).toBeGreaterThan(20);
   await expectDrawnAsLaid(source);
 });
 

@@ -126,8 +126,10 @@ export class TextMap {
   #pieceOf(node: Piece["node"], offset: number, pageCount: number): Piece | null {
     this.#range.selectNodeContents(node);
     let [first, last] = [Number.POSITIVE_INFINITY, -1];
+    // Marks over a letter that another element has take no room.
+    const isMarks = isText(node) && /^\p{M}+$/u.test(node.data);
     for (const rect of this.#range.getClientRects()) {
-      if (rect.width === 0 || rect.height === 0) continue;
+      if ((rect.width === 0 && !isMarks) || rect.height === 0) continue;
       const page = Math.min(Math.max(pageOfRect(this.#flow, rect), 0), pageCount - 1);
       first = Math.min(first, page);
       last = Math.max(last, page);
@@ -182,6 +184,14 @@ export class TextMap {
     return rects.findLast(({ width, height }) => width > 0 && height > 0) ?? null;
   }
 
+  /** Returns the place of a mark over a letter that another element has: it takes no room. */
+  #markRect(node: Text, from: number, to: number): DOMRect | null {
+    if (!/^\p{M}/u.test(node.data.slice(from, to))) return null;
+    this.#range.setStart(node, from);
+    this.#range.setEnd(node, to);
+    return [...this.#range.getClientRects()].find(({ height }) => height > 0) ?? null;
+  }
+
   /** Splits a piece's part on a page where a line ends. */
   #linesOf(piece: Piece, page: number): Line[] {
     const { node } = piece;
@@ -193,7 +203,7 @@ export class TextMap {
     let line: Line | null = null;
     for (let k = from; k < text.length; ) {
       const next = k + (/[\ud800-\udbff]/.test(text[k] as string) ? 2 : 1);
-      const rect = this.#rectOf(node, k, next);
+      const rect = this.#rectOf(node, k, next) ?? this.#markRect(node, k, next);
       if (rect === null) {
         k = this.#firstPlaced(node, next);
         // Not between the halves of a character.

@@ -30,6 +30,8 @@ h1, h2, h3, h4, h5, h6 { break-after: avoid; break-inside: avoid; }
 figure, tr { break-inside: avoid; }
 pre { white-space: pre-wrap; }
 a { color: inherit; }
+/* Of words in a formula that are broken, Chromium shows the first line alone. */
+:is(mi, mn, mo, ms, mtext) { white-space: nowrap; }
 .turnleaf-sound {
   display: inline-block; box-sizing: border-box; width: 300px; max-width: 100%; height: 40px;
   border: 1px solid #8888; border-radius: 20px; background: #8882; vertical-align: middle;
