@@ -46,9 +46,11 @@ function isPlaced(node) {
     const { direction, writingMode } = getComputedStyle(root);
     return direction === "rtl" || writingMode === "vertical-rl";
   });
+  // Marks over the letter before them take no room.
+  const isMarks = /^\s*\p{M}+\s*$/u.test(node.data);
   return [...range.getClientRects()].some(
     ({ width, height, right, bottom }) =>
-      width > 0 && height > 0 && bottom > 0 && (isFromRight || right > 0),
+      (width > 0 || isMarks) && height > 0 && bottom > 0 && (isFromRight || right > 0),
   );
 }
 
