@@ -1,6 +1,6 @@
 /** Runs in the browser: opens a book as the package does, walks every page and judges what can be judged without an eye. */
 import { openSource } from "/turnleaf/index.js";
-import { lettersOf, secondOpinion } from "./second_opinion.js";
+import { lettersOf, lettersOfFormula, secondOpinion } from "./second_opinion.js";
 
 const never = new AbortController().signal;
 
@@ -132,6 +132,11 @@ function cancel(stretch, others) {
   stretch.text = "";
 }
 
+/** Returns whether a fault is a page that says in one sentence why it cannot be shown. */
+function isSentence([kind, what]) {
+  return kind === "refused" && /^[^\n]+\.$/.test(what) && !/[.!?]\s+\p{Lu}/u.test(what);
+}
+
 /** Returns the lines of contents with those beneath them, in order. */
 function flat(entries) {
   return entries.flatMap((entry) => [entry, ...flat(entry.children)]);
@@ -194,7 +199,7 @@ export async function judge(address, fileName, base, log) {
     return { refused: error.message, isBookError: error.name === "BookError" };
   }
   const result = { faults: [], milliseconds: { first: null, all: null } };
-  const fault = (kind, what, page) => result.faults.push([kind, String(what).slice(0, 120), page]);
+  const fault = (kind, what, page) => result.faults.push([kind, String(what).slice(0, 240), page]);
   try {
     const bitmap = await source.draw(0, judgedWidth, never);
     bitmap.close?.();
@@ -217,7 +222,10 @@ export async function judge(address, fileName, base, log) {
     } catch (error) {
       fault(error.name === "BookError" ? "refused" : "failed", error.message, index + 1);
     }
-    found.letters.push(lettersOf(runs.map(({ text }) => text).join("")));
+    // What a formula says on one line is its author's, or reckoned: what it shows is in its elements.
+    const shown = ({ text, math }) =>
+      math === undefined ? lettersOf(text) : lettersOfFormula(math);
+    found.letters.push(runs.map(shown).join(""));
     if (!drawn.has(index)) continue;
     try {
       const size = await source.size(index);
@@ -252,6 +260,8 @@ export async function judge(address, fileName, base, log) {
     log("comparing");
     const { opinion, faults } = await compare(base, found);
     result.opinion = opinion;
+    // Of a book with a document that no browser shows a page may say so.
+    if (opinion !== null) result.faults = result.faults.filter((one) => !isSentence(one));
     for (const [kind, what] of faults) fault(kind, what);
   }
   source.close();

@@ -46,9 +46,11 @@ function isPlaced(node) {
     const { direction, writingMode } = getComputedStyle(root);
     return direction === "rtl" || writingMode === "vertical-rl";
   });
+  // Marks over the letter before them take no room.
+  const isMarks = /^\s*\p{M}+\s*$/u.test(node.data);
   return [...range.getClientRects()].some(
     ({ width, height, right, bottom }) =>
-      width > 0 && height > 0 && bottom > 0 && (isFromRight || right > 0),
+      (width > 0 || isMarks) && height > 0 && bottom > 0 && (isFromRight || right > 0),
   );
 }
 
@@ -82,6 +84,10 @@ function* piecesOf(root) {
 
 /** Returns whether a picture at an address is of more than one colour; one that cannot be loaded counts as such. */
 async function hasInk(address) {
+  // What lies elsewhere is fetched by none.
+  if (new URL(address, location.href).origin !== location.origin && !/^data:/i.test(address)) {
+    return false;
+  }
   const image = new Image();
   image.src = address;
   try {
@@ -130,11 +136,45 @@ function lettersFrom(element, pieces, most) {
 }
 
 /**
- * Returns a text's letters: without blanks and what is never seen, in one form. And without the signs by which
- * a formula is written on one line: its elements have none of them.
+ * Returns a text's letters: without blanks, brackets and what is never seen, in one form. Control characters that
+ * no text has are letters of Windows' encoding, as browsers read them in HTML.
  */
 export function lettersOf(text) {
-  return text.normalize("NFKC").replace(/[\s\p{Cc}\p{Cf}\u{FFFD}^_(){}[\],;]+/gu, "");
+  const windows = new TextDecoder("windows-1252");
+  return text
+    .replace(/[\u0080-\u009f]/g, (one) => windows.decode(Uint8Array.of(one.charCodeAt(0))))
+    .normalize("NFKC")
+    .replace(/[\s\p{Cc}\p{Cf}\u{FFFD}^_(){}[\],;]+/gu, "");
+}
+
+/** Returns the letters that a formula shows, as XML. */
+export function lettersOfFormula(xml) {
+  const { documentElement: math } = new DOMParser().parseFromString(xml, "application/xml");
+  for (const hidden of math.querySelectorAll("mphantom, annotation, annotation-xml")) {
+    hidden.remove();
+  }
+  return lettersOf(math.textContent);
+}
+
+/** Returns what may be read of a document besides what is seen of it, or in its place. */
+function insteadOf(root) {
+  const closed = 'details:not([open]), [hidden="until-found" i]';
+  const others = `audio, video, object, iframe, canvas, textarea, option, ${closed}`;
+  const texts = [...root.querySelectorAll(others)].map(({ textContent }) => textContent);
+  const fields = [...root.querySelectorAll("input, textarea")];
+  return [...texts, ...fields.map(({ value, placeholder }) => value || placeholder)].map(lettersOf);
+}
+
+/** Shows parts of drawings that ask for EPUB's own markup, which stands for XHTML in them. */
+function showExtensions(root) {
+  for (const element of root.querySelectorAll("[requiredExtensions]")) {
+    if (element.getAttribute("requiredExtensions").trim() === ops) {
+      element.removeAttribute("requiredExtensions");
+      // Put anew, the browser chooses anew.
+      const whole = element.closest("switch") ?? element;
+      whole.replaceWith(whole.cloneNode(true));
+    }
+  }
 }
 
 /** Reads the package of a book whose files lie at an address. */
@@ -160,7 +200,9 @@ async function readPackage(base) {
   });
   if (spine.length === 0) throw new Error("Its spine names no document");
   const toc = xml.getElementsByTagNameNS("*", "spine")[0]?.getAttribute("toc");
-  return { items: [...items.values()], spine, ncx: items.get(toc) };
+  const listed = [...items.values()];
+  const ncx = items.get(toc) ?? listed.find(({ type }) => type === "application/x-dtbncx+xml");
+  return { items: listed, spine, ncx };
 }
 
 /** Returns the lines of the book's contents: title and address. */
@@ -192,7 +234,7 @@ async function contentsOf({ items, ncx: old }) {
 /**
  * Reads a book whose files lie at an address. Resolves to the letters of its
  * documents in the order in which they are read, which of these show nothing at
- * all, what may be read in place of their sounds and films ("instead"), and the
+ * all, what may be read besides or in place of sounds and films ("instead"), and the
  * lines of its contents with the letters to which they lead.
  * Rejects if its package or a document is not well-formed.
  */
@@ -218,14 +260,14 @@ export async function secondOpinion(base) {
       if (!/1999\/xhtml$|2000\/svg$/.test(root.namespaceURI)) {
         throw new Error(`${address} is not XHTML`);
       }
+      showExtensions(root);
       const pieces = [...piecesOf(root)];
       const letters = lettersOf(pieces.map(({ data }) => data).join(""));
-      const instead = [...root.querySelectorAll("audio, video, object, iframe, canvas")];
       chapters.push({
         letters,
         isLinear,
         isEmpty: letters === "" && !(await hasPictures(root)),
-        instead: instead.map(({ textContent }) => lettersOf(textContent)),
+        instead: insteadOf(root),
       });
       for (const line of lines) {
         const [document, id] = line.address.split("#");

@@ -12,13 +12,18 @@ const mostChunks = 500;
 /** The tag of the orientation, and bytes of an entry of a list (TIFF 6.0, 2). */
 const [orientationTag, entryLength] = [0x112, 12];
 
-/** WebP's flag for data of a camera, in the byte of its flags. */
-const [flagsAt, exifFlag] = [20, 0x08];
+/** WebP's flag for a film, in the byte of its flags. */
+const filmFlag = 0x02;
+
+/** The place of that byte. */
+export const flagsAt = 20;
+
+/** WebP's flag for data of a camera, there. */
+export const exifFlag = 0x08;
 
 /**
  * Returns the orientation of an image from 1, upright, to 8, as EXIF numbers it: 1 if it says none. Null
- * of a WebP that may lie turned by a quarter, as some browsers turn it and some do not, and where too much
- * stands before the pixels.
+ * where too much stands before the pixels.
  *
  * @param image a typed image
  */
@@ -44,14 +49,14 @@ async function orientationOfWebp(image: Blob): Promise<number | null> {
   const flags = await viewOf(image, 12, flagsAt - 12 + 1);
   // "VP8X", without which there is no more than the picture.
   if (flags?.getUint32(0) !== 0x56503858 || !(flags.getUint8(8) & exifFlag)) return 1;
+  if (flags.getUint8(8) & filmFlag) return 1;
   for (let at = 12, count = 0; count < mostChunks; count++) {
     const chunk = await viewOf(image, at, chunkStart);
     if (chunk === null) break;
     const length = chunk.getUint32(4, true);
     // "EXIF".
     if (chunk.getUint32(0) === 0x45584946) {
-      const orientation = await orientationIn(image, at + chunkStart, length);
-      return orientation < 5 ? orientation : null;
+      return await orientationIn(image, at + chunkStart, length);
     }
     at += chunkStart + length + (length & 1);
   }

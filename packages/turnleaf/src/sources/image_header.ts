@@ -76,7 +76,9 @@ const upright = ({ width, height }: PageSize, orientation: number): PageSize =>
   orientation >= 5 ? { width: height, height: width } : { width, height };
 
 /** Returns what a header says, with an orientation as `exifOrientation` returns it; null if it is not understood. */
-async function headerOf(image: Blob): Promise<(PageSize & { orientation: number | null }) | null> {
+export async function headerOf(
+  image: Blob,
+): Promise<(PageSize & { readonly orientation: number | null }) | null> {
   const reader = readers[image.type];
   if (!reader) return null;
   const lengths = image.type === "image/jpeg" ? [headerLength, longestHeader] : [headerLength];

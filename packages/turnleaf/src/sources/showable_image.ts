@@ -2,10 +2,11 @@
 
 import { dataUrl } from "./data_url.ts";
 import { unshownFormat } from "./formats.ts";
-import { claimedSize, typedImage } from "./image_header.ts";
+import { claimedSize, headerOf, typedImage } from "./image_header.ts";
 import { limits } from "./limits.ts";
 import { loadPart } from "./load_part.ts";
 import type { BookErrorDetail } from "./page_source.ts";
+import { turnedImage, uprightWebp } from "./upright_image.ts";
 
 /**
  * Returns an image with the type found in its first bytes, whatever its server or its file's name says:
@@ -21,9 +22,34 @@ export async function showableImage(
   about: BookErrorDetail = {},
 ): Promise<Blob> {
   const typed = await typedImage(image);
-  if (unshownFormat(typed.type) === undefined) return typed;
+  if (typed.type === "image/webp") return await uprightWebp(typed);
+  const isInInks = typed.type === "image/jpeg" && (await isPlainCmyk(typed));
+  if (unshownFormat(typed.type) === undefined && !isInInks) return typed;
   const { asPng } = await loadPart(import("./rare_images/rare_images.ts"));
-  return await asPng(typed, place, about);
+  const png = await asPng(typed, place, about);
+  const { orientation } = isInInks ? ((await headerOf(typed)) ?? {}) : {};
+  return orientation && orientation > 1
+    ? await turnedImage(await createImageBitmap(png), orientation)
+    : png;
+}
+
+/** Segments of a JPEG that are looked at, each in a read of its own. */
+const mostSegments = 200;
+
+/** Returns whether a JPEG is in four colours and does not bear Adobe's mark, by which browsers know how these are written. */
+async function isPlainCmyk(image: Blob): Promise<boolean> {
+  for (let at = 2, count = 0; count < mostSegments && at + 12 <= image.size; count++) {
+    const view = new DataView(await image.slice(at, at + 12).arrayBuffer());
+    const marker = view.getUint8(1);
+    // "Adobe".
+    if (marker === 0xee && view.getUint32(4) === 0x41646f62) return false;
+    // A frame's header; 0xC4, 0xC8 and 0xCC are others.
+    const isFrame = marker >= 0xc0 && marker <= 0xcf && ![0xc4, 0xc8, 0xcc].includes(marker);
+    if (isFrame) return view.getUint8(9) === 4;
+    if (view.getUint8(0) !== 0xff || marker === 0xda) return false;
+    at += 2 + view.getUint16(2);
+  }
+  return false;
 }
 
 /**

@@ -20,13 +20,15 @@ test("says what only a script would draw, and shows what stands there for it", a
         '<div id="scene"></div><script src="lib.js"></script><script src="scene.js"></script><script>start()</script>',
         "<div><b> </b></div><script>start()</script>",
         '<p>Text</p><script src="more.js"></script>',
+        '<div></div><script src="scene.js"></script>',
       ],
     }),
   );
   expect(listed(source)).toEqual([
-    ["embedded", "OEBPS/first.js", 1],
-    ["embedded", "OEBPS/scene.js", 2],
-    ["embedded", "script", 3],
+    ["embedded", "OEBPS/c1.xhtml (OEBPS/first.js)", 1],
+    ["embedded", "OEBPS/c2.xhtml (OEBPS/scene.js)", 2],
+    ["embedded", "OEBPS/c3.xhtml (script)", 3],
+    ["embedded", "OEBPS/c5.xhtml (OEBPS/scene.js)", 5],
   ]);
   expect(await wordsOf(source, 0)).toBe("Drawn: As a picture");
 });

@@ -71,6 +71,7 @@ export class EpubFiles {
   about(path: string): MarkupFiles {
     let left: number = limits.chapterBytes;
     return {
+      path,
       data: async (address) => {
         const target = this.resolve(address, path);
         if (/^data:/i.test(address)) return await checkedData(address);

@@ -94,6 +94,10 @@ test.each([
   ["page-break-after: right", 2],
   ["break-after: always", 2],
   ["-webkit-column-break-before: always", 2],
+  ["--new: recto; break-before: var(--new)", 2],
+  ["break-before: var(--none, page)", 2],
+  ["--new: always; page-break-before: var(--new)", 2],
+  ["--new: avoid; break-before: var(--new)", 1],
   ["break-before: auto", 1],
 ])("%s begins a page, in a sheet and in an element's own style", async (rule, pages) => {
   const body = (own: string): string => `<h1>one</h1><h2 ${own}>two</h2>`;
@@ -135,12 +139,33 @@ test.each([
   ],
   ["a box of any height", '<p>one</p><div style="height: 5000px"></div><p>two</p>'],
   ["a box of at least some height", '<div style="min-height: 5000px">one</div><p>two</p>'],
+  ...[
+    "padding-top",
+    "padding-bottom",
+    "margin-top",
+    "border-top: solid transparent; border-top-width",
+  ].map((name) => [
+    `${name} of pages`,
+    /bottom/.test(name)
+      ? `<p style="${name}: 3000px">one</p><p>two</p>`
+      : `<p>one</p><p style="${name}: 3000px">two</p>`,
+  ]),
+  ["room in per cent of the line", '<p>one</p><p style="padding-top: 500%">two</p>'],
+  ["room in a cell", '<p>one</p><table><td style="padding-top: 3000px">two</td></table>'],
+  ["room between rows", '<p>one</p><table style="border-spacing: 0 3000px"><td>two</td></table>'],
+  ["room in a line", '<p>one <b style="display: inline-block; padding: 3000px 0 0">two</b></p>'],
+  [
+    "room in room",
+    '<div style="padding-top: 400px"><p style="padding-top: 400px">one</p></div><p class="new">two</p>',
+  ],
+  ["what a style sheet puts before a box", '<p>one</p><p class="far">two</p>'],
   [
     "a picture under a margin",
     `<p>one</p><figure style="break-before: page"><svg xmlns="http://www.w3.org/2000/svg" width="300" height="900"><rect width="300" height="900"/></svg></figure><p>two</p>`,
   ],
 ])("no page is empty because of %s", async (_, body) => {
-  const css = ".high { min-height: 100vh; margin: 0; padding: 20px }";
+  const css = `.high { min-height: 100vh; margin: 0; padding: 20px } .new { break-before: page }
+    .far::before { content: ""; display: block; height: 3000px }`;
   const source = await laidOutEpub({ chapters: [body], css });
   const pages = (await pagesOf(source)).map(letters);
   expect(pages).toEqual(body.includes("<svg") ? ["one", "", "two"] : ["one", "two"]);
@@ -156,6 +181,7 @@ test.each([
   ["by no height", "height: 0; overflow: hidden"],
   ["before the page", "position: absolute; left: -9999px"],
   ["above the page", "position: absolute; top: -9999px; white-space: nowrap"],
+  ["from layout", "content-visibility: hidden"],
   [
     "before lines that run to the left",
     "position: absolute; right: -9999px; font-size: 2em",
@@ -198,6 +224,80 @@ test("a letter after a hyphen is on its own line", async () => {
   const broken = runs.filter(({ text }) => text.endsWith("\u00ad"));
   expect(broken.length).toBeGreaterThan(2);
   for (const { text } of broken) expect(text).toMatch(/(extra|ordi)\u00ad$/);
+  await expectDrawnAsLaid(source);
+});
+
+test.each([
+  "initial-letter: 3",
+  "initial-letter: 2.5 1",
+  "-webkit-initial-letter: 3",
+  "float: left; font-size: 60px; line-height: 50px",
+])("a first letter over several lines is where it is drawn: %s", async (rule) => {
+  const source = await laidOutEpub({
+    chapters: [`<p>“Words ${"in a paragraph ".repeat(30)}</p><p>after</p>`],
+    css: `p:first-child::first-letter { ${rule} }`,
+  });
+  const [letter, next, second] = (await source.text?.(0, never)) ?? [];
+  expect([letter?.text, letter?.end]).toEqual(["“W", false]);
+  expect(next?.text).toMatch(/^ords/);
+  expect(letter?.height).toBeGreaterThan(50);
+  // The line beside it and those beneath that begin after it.
+  expect(second?.x).toBeGreaterThanOrEqual(rule.includes("2.5 1") ? 53 : (next?.x ?? 0) - 1);
+  await expectDrawnAsLaid(source);
+});
+
+test("a mark over a letter of another element is text with it", async () => {
+  const source = await laidOutEpub({
+    chapters: ["<p>a <b>b</b><i>\u0303moon</i> e\u0301 n<span>\u0303</span>o</p>"],
+  });
+  expect((await pagesOf(source)).map(letters)).toEqual(["ab\u0303moone\u0301n\u0303o"]);
+});
+
+test("words of the controls of forms are text, where they are drawn, and no others", async () => {
+  const source = await laidOutEpub({
+    chapters: [
+      `<p>a <input value="value"/> <textarea rows="2" style="height: 2em">${"some words\n".repeat(6)}</textarea>
+      <select><option>first</option><option selected="">second</option></select> <button>push</button>
+      <input type="submit" value="send"/> <input placeholder="place"/> <input type="checkbox" value="box"/>
+      <input type="hidden" value="hidden"/> <input type="password" value="secret"/> <input/></p>`,
+    ],
+    css: "p :not(option) { border: 0; background: none } [type=checkbox], [type=password] { opacity: 0 }",
+  });
+  expect(letters((await pagesOf(source)).join(""))).toBe(
+    `avalue${"somewords".repeat(6)}secondpushsendplace`,
+  );
+  await expectDrawnAsLaid(source);
+});
+
+test("what waits to be found is there, as nothing on paper finds it", async () => {
+  const source = await laidOutEpub({
+    chapters: ['<p>before</p><div hidden="until-found">found</div><p hidden="">hidden</p>'],
+  });
+  expect((await pagesOf(source)).map(letters)).toEqual(["beforefound"]);
+  await expectDrawnAsLaid(source);
+});
+
+test.each([
+  ["words", `<mtext>${"long words of a formula ".repeat(8)}</mtext>`],
+  [
+    "a table",
+    `<mtable>${`<mtr><mtd>${"<mi>a</mi><mo>+</mo>".repeat(30)}</mtd><mtd>${"<mi>b</mi><mo>=</mo>".repeat(30)}</mtd></mtr><mtr><mtd><mi>c</mi></mtd></mtr>`.repeat(2)}</mtable>`,
+  ],
+  [
+    "a table in rows",
+    `<mi>x</mi><mo>=</mo><mrow><mtable><mtr><mtd><mtext>${"if it is so and ".repeat(12)}</mtext></mtd></mtr></mtable></mrow>`,
+  ],
+])("a formula with %s wider than a line is broken within", async (_, parts) => {
+  const source = await laidOutEpub({
+    chapters: [
+      `<p>before</p><math xmlns="http://www.w3.org/1998/Math/MathML" display="block">${parts}</math><p>after</p>`,
+    ],
+  });
+  const runs = (await source.text?.(0, never)) ?? [];
+  const { width } = await source.size(0);
+  const formula = runs.find(({ math }) => math);
+  expect((formula?.x ?? width) + (formula?.width ?? 0)).toBeLessThan(width);
+  expect(formula?.height).toBeGreaterThan(20);
   await expectDrawnAsLaid(source);
 });
 
@@ -358,6 +458,20 @@ test.each([
     `${"<blockquote>".repeat(30)}deep words${"</blockquote>".repeat(30)}`,
   ],
   ["a running text", "<marquee>running words</marquee>"],
+  ["a button", `<button style="border: 0">${long}</button>`],
+  ["a legend", `<fieldset style="border: 0"><legend>${long}</legend>in the set</fieldset>`],
+  ["a field of lines", `<textarea style="border: 0">${"some words\n".repeat(80)}</textarea>`],
+  [
+    "a list of options",
+    `<select multiple="" style="border: 0">${Array.from({ length: 90 }, (_, k) => `<option>option${k}</option>`).join("")}</select>`,
+  ],
+  ["a letter", '<p style="font-size: 1500px; margin: 0">Mg</p>'],
+  ["a letter in a line", '<p>words <b style="font-size: 60em">Mg</b> and more</p>'],
+  ["a letter in a box that is zoomed", '<p style="zoom: 60">Mg</p>'],
+  ["a first letter", '<p class="first-type">Words after it.</p>'],
+  ["a letter over a hundred lines", `<p class="first-lines">${"Words after it. ".repeat(9)}</p>`],
+  ["a line", '<p style="line-height: 100">first<br/>second</p>'],
+  ["a line with a raised word", '<p>a <i style="vertical-align: 3000px"><b>high</b></i> word</p>'],
   [
     "a word that may not be broken",
     `<p style="white-space: nowrap; overflow-wrap: normal !important">${"x".repeat(300)}</p>`,
@@ -387,7 +501,9 @@ test.each([
     `<table><tr>${Array.from({ length: 30 }, (_, k) => `<td>column${k}</td>`).join("")}</tr></table>`,
   ],
 ])("%s larger than the page loses nothing and lies on nothing", async (_, box) => {
-  const source = await laidOutEpub({ chapters: [`<p>before</p>${box}<p>after</p>`] });
+  const css = `.first-type::first-letter { float: left; font-size: 1500px; line-height: 1 }
+    .first-lines::first-letter { initial-letter: 100 }`;
+  const source = await laidOutEpub({ chapters: [`<p>before</p>${box}<p>after</p>`], css });
   const text = new DOMParser().parseFromString(`<p>before</p>${box}<p>after</p>`, "text/html").body;
   const drawn = letters((await pagesOf(source)).join(""));
   const lost = letters(text.textContent ?? "").length - drawn.length;

@@ -14,6 +14,13 @@ const fixture = async (name: string): Promise<Uint8Array<ArrayBuffer>> => {
   return new Uint8Array(await response.arrayBuffer());
 };
 
+/** Of this folder or, if it lies turned, of the other. */
+const pictureNamed = async (name: string): Promise<Uint8Array<ArrayBuffer>> => {
+  if (!/^\d/.test(name)) return await fixture(name);
+  const response = await fetch(new URL(`../fixtures/turned/${name}`, import.meta.url));
+  return new Uint8Array(await response.arrayBuffer());
+};
+
 const fixed = '<meta property="rendition:layout">pre-paginated</meta>';
 
 /** Opens a book with a file in its spine after a chapter. */
@@ -126,4 +133,47 @@ test("a TIFF that is written into a chapter as data is shown; a HEIC is listed",
   );
   expect(await colourOf(source, 0)).toBe("255 0 0");
   expect((source.warnings ?? []).map(({ code }) => code)).toEqual(["image"]);
+});
+
+/** A picture in a chapter that is drawn as its lower right quarter alone, and what it is there. */
+const quarters = [
+  ["rgb-lzw.tif", "255 255 255"],
+  ["float-rgb.tif", "255 255 255"],
+  ["ycbcr-raw22.tif", "255 255 255"],
+  ["rgb.jp2", "255 255 255"],
+  ["rgb.jxl", "255 255 255"],
+  ["cmyk-unmarked.jpg", "255 255 255"],
+  ["6.webp", "0 255 0"],
+] as const;
+
+test.each(quarters)("a picture in a chapter that is %s is shown as it is", async (name, colour) => {
+  const source = await laidOut(
+    tinyEpub({
+      chapters: [
+        '<div style="background: #808080"><img src="picture.png" alt="none" style="position: absolute; left: -1000px; top: -1000px; width: 2000px; height: 2000px"/></div>',
+      ],
+      properties: { 0: "rendition:layout-pre-paginated" },
+      files: { "picture.png": await pictureNamed(name) },
+    }),
+  );
+  expect(source.warnings).toEqual([]);
+  expect(await colourOf(source, 0)).toBe(colour);
+});
+
+test("a picture in a chapter that no browser here shows is listed", async () => {
+  const source = await laidOut(
+    tinyEpub({
+      chapters: [
+        '<p>Before. <img src="a.heic" alt="A view"/> <img src="b.jp2" alt="Another"/></p>',
+      ],
+      files: {
+        "a.heic": await fixture("rgb.heic"),
+        "b.jp2": (await fixture("rgb.jp2")).slice(0, 60),
+      },
+    }),
+  );
+  expect((source.warnings ?? []).map(({ message }) => message)).toEqual([
+    "OEBPS/a.heic, an image of this book, is missing or cannot be shown.",
+    "OEBPS/b.jp2, an image of this book, is missing or cannot be shown.",
+  ]);
 });

@@ -48,7 +48,8 @@ function isShorthand(name: string): boolean {
   const known = shorthands.get(name);
   if (known !== undefined) return known;
   probe.setProperty(name, "inherit");
-  const isOne = probe.length > 1;
+  // Another name for a property, such as `page-break-before`, is like one.
+  const isOne = probe.length > 1 || (probe.length === 1 && probe[0] !== name);
   probe.cssText = "";
   shorthands.set(name, isOne);
   return isOne;

@@ -25,13 +25,15 @@ import {
   type ResolveCss,
   readSheets,
 } from "./clean_css.ts";
-import { resolveSwitches } from "./content_switches.ts";
-import { prepareFormula } from "./formulas.ts";
+import { resolveExtensions, resolveSwitches } from "./content_switches.ts";
+import { prepareFormulas } from "./formulas.ts";
 import { framePicture, frameSize } from "./frame_picture.ts";
 import { isXmlAttribute } from "./xml.ts";
 
 /** The files that a chapter names. */
 export interface MarkupFiles {
+  /** How a warning names the chapter's own file; absent if it has none. */
+  readonly path?: string;
   /** Returns a picture or a font as `data:`; null if there is none. */
   data(address: string): Promise<string | null>;
   /** Returns a style sheet, already clean, after those that it imports; empty if there is none. */
@@ -86,6 +88,7 @@ export async function cleanMarkup(
     element.before(placeOfLost(element, "embedded", language || "epub:switch", files));
   });
   const root = inHtml(document);
+  resolveExtensions(root);
   const sheets = await stylesOf(document, files);
   const styles = sheets.map(cssOf);
   const lost = sheets.flatMap((sheet) => sheet.lost ?? []);
@@ -97,7 +100,9 @@ export async function cleanMarkup(
   };
   // Nothing on paper opens them.
   for (const one of root.querySelectorAll("details")) one.setAttribute("open", "");
-  for (const math of root.querySelectorAll("math:not(math math)")) prepareFormula(math);
+  for (const one of root.querySelectorAll('[hidden="until-found" i]'))
+    one.removeAttribute("hidden");
+  prepareFormulas(root);
   for (const medium of root.querySelectorAll("audio, video")) placeOf(medium, files);
   for (const object of root.querySelectorAll("object")) await pictureOf(object, files);
   for (const frame of [...root.querySelectorAll("iframe")].slice(0, mostFrames)) {
@@ -299,10 +304,10 @@ function placeOf(medium: Element, files: MarkupFiles): void {
 function placeScripted(root: Element, files: MarkupFiles): void {
   const scripts = [...root.querySelectorAll("script")];
   const address = scripts.findLast((one) => one.getAttribute("src"))?.getAttribute("src");
-  const lostIn = (element: Element): Element =>
-    address
-      ? placeOfLost(element, "embedded", address, files)
-      : placeOfLost(element, "embedded", "script", {});
+  const script = address ? (files.nameOf?.(address) ?? address) : "script";
+  // By its chapter too: many draw by the same script.
+  const source = files.path ? `${files.path} (${script})` : script;
+  const lostIn = (element: Element): Element => placeOfLost(element, "embedded", source, {});
   for (const canvas of root.querySelectorAll("canvas")) {
     if (isBlank(canvas)) canvas.before(lostIn(canvas));
     canvas.replaceWith(...canvas.childNodes);

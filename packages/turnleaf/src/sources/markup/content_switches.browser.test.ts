@@ -113,3 +113,17 @@ test("a script in no namespace is left out", async () => {
   const body = await cleaned('<p>A</p><script xmlns="">ran</script><style xmlns="">ran</style>');
   expect(body.innerHTML).not.toContain("ran");
 });
+
+test.each([
+  [ops, "first"],
+  [`${mathml} ${ops}`, "first"],
+  [cml, "second"],
+  [`${ops} ${cml}`, "second"],
+  ["", "second"],
+])("a drawing's switch shows what asks for a language that is shown: %s", async (asked, shown) => {
+  const body = await cleaned(
+    `<svg xmlns="http://www.w3.org/2000/svg"><switch><foreignObject requiredExtensions="${asked}"><p xmlns="http://www.w3.org/1999/xhtml">first</p></foreignObject><text>second</text></switch></svg>`,
+  );
+  const [first] = body.querySelector("switch")?.children ?? [];
+  expect(first?.textContent).toBe(shown);
+});

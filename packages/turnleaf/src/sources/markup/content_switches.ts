@@ -1,4 +1,4 @@
-/** Content switches of EPUB 3.0: one content in several languages of markup, of which a reader shows one. */
+/** Content switches, of EPUB 3.0 and of SVG: one content in several languages of markup, of which a reader shows one. */
 
 const html = "http://www.w3.org/1999/xhtml";
 const ops = "http://www.idpf.org/2007/ops";
@@ -35,6 +35,19 @@ export function resolveSwitches(
       lost(element, cases[0] ? languageOf(cases[0]) : "");
       element.remove();
     }
+  }
+}
+
+/**
+ * Leaves out the parts of a document's drawings that ask for a language of markup that is not shown. EPUB's own
+ * stands for XHTML in them.
+ */
+export function resolveExtensions(root: Element): void {
+  for (const element of root.querySelectorAll("[requiredExtensions]")) {
+    const asked = (element.getAttribute("requiredExtensions") ?? "").split(/\s+/).filter(Boolean);
+    if (asked.length === 0 || !asked.every((one) => one === ops || shown.has(one)))
+      element.remove();
+    else element.removeAttribute("requiredExtensions");
   }
 }
 

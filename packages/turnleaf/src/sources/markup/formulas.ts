@@ -12,10 +12,26 @@ const deepest = 60;
 const tex = /tex/i;
 
 /**
- * Leaves of a formula what is drawn, and gives it its text: its annotation in TeX, or else what its author
- * says in `alttext`, or else its signs on one line.
+ * Leaves of the formulas in a document what is drawn, and gives each its text: its annotation in TeX, or else
+ * what its author says in `alttext`, or else its signs on one line.
  */
-export function prepareFormula(math: Element): void {
+export function prepareFormulas(root: Element): void {
+  const formulas = [...root.querySelectorAll("math:not(math math)")];
+  // What stands for other formulas too says nothing of any: programs that have no words write some.
+  const said = new Map<string, string>();
+  const others = new Set<string>();
+  for (const math of formulas) {
+    const [words, signs] = [math.getAttribute("alttext")?.trim() ?? "", math.textContent ?? ""];
+    if ((said.get(words) ?? signs) !== signs) others.add(words);
+    said.set(words, signs);
+  }
+  for (const math of formulas) {
+    if (others.has(math.getAttribute("alttext")?.trim() ?? "")) math.removeAttribute("alttext");
+    prepareFormula(math);
+  }
+}
+
+function prepareFormula(math: Element): void {
   const annotations = [...math.querySelectorAll("annotation")];
   const source = annotations.find((one) => tex.test(one.getAttribute("encoding") ?? ""));
   for (const whole of math.querySelectorAll("semantics")) {

@@ -25,6 +25,10 @@ const areaUnit = {
   max: "max(var(--laid-area-width), var(--laid-area-height))",
 } as const;
 
+/** Says of what is in an element whether it may span columns: those of the book's own alone. */
+export const columnSpan = "--laid-column-span";
+const spanning = `${columnSpan}: all`;
+
 /** Values of a property that would keep a box from its page, by the property's name, and what it is set to. */
 const offPage: Readonly<Record<string, readonly [value: RegExp, paged: string]>> = {
   // There is no view that a box could stay in.
@@ -32,18 +36,57 @@ const offPage: Readonly<Record<string, readonly [value: RegExp, paged: string]>>
   // A box that is laid out apart from what is around it does not break; of what is out of sight, nothing is laid out.
   contain: [/./, "none"],
   "content-visibility": [/^auto$/, "visible"],
-  "column-span": [/^all$/, "var(--laid-column-span, none)"],
+  "column-span": [/^all$/, `var(${columnSpan}, none)`],
 };
 
 /** Properties that set a box in columns of its own. */
 const ownColumns = /^column-(?:count|width)$/;
 
+/** Properties whose values are others in columns. */
+const pagedProperties = [
+  "break-before",
+  "break-after",
+  "break-inside",
+  "column-count",
+  "column-width",
+  ...Object.keys(offPage),
+];
+
+/** Names of these, and of what stands for several of them. */
+const ofPages = /^(?:page-|-webkit-column-)?break-|^col|^position$|^contain$|^content-visibility$/;
+
+/**
+ * Stands beside a declaration of such a property whose value is a variable's, or depends on one: what it is
+ * in columns is not known before the element is.
+ */
+export const variableMark = "--laid-by-variable";
+
 /** Returns the declaration of a property, by its name in full, as it is set in columns. */
 export function pagedDeclaration(name: string, value: string, priority: string): string {
   const declaration = `${name}: ${pagedValue(name, value)}${priority};`;
+  if (ofPages.test(name) && /\bvar\(/i.test(value)) return `${declaration} ${variableMark}: 1;`;
   // What spans columns is not to span the pages.
-  const hasColumns = ownColumns.test(name) && value !== "auto";
-  return hasColumns ? `${declaration} --laid-column-span: all${priority};` : declaration;
+  return hasColumns(name, value) ? `${declaration} ${spanning}${priority};` : declaration;
+}
+
+/**
+ * Returns the declarations by which an element's values are as they are set in columns, those apart that are so.
+ *
+ * @param style of the element, computed
+ */
+export function pagedStyles(style: CSSStyleDeclaration): Readonly<Record<string, string>> {
+  const changes: Record<string, string> = {};
+  for (const name of pagedProperties) {
+    const value = style.getPropertyValue(name);
+    const paged = pagedValue(name, value);
+    if (paged !== value) changes[name] = paged;
+    if (hasColumns(name, value)) changes[columnSpan] = "all";
+  }
+  return changes;
+}
+
+function hasColumns(name: string, value: string): boolean {
+  return ownColumns.test(name) && value !== "auto";
 }
 
 function pagedValue(name: string, value: string): string {

@@ -1,4 +1,4 @@
-/** What style sheets of books say in words that the browser does not know: EPUB 3's prefixed properties, and breaks. */
+/** What style sheets of books say in words that the browser does not know: prefixed properties, as EPUB 3's, and breaks. */
 
 /** Names and values that are not the same without the prefix, by EPUB's own list of them. */
 const renamed: readonly (readonly [prefixed: RegExp, today: string])[] = [
@@ -8,6 +8,8 @@ const renamed: readonly (readonly [prefixed: RegExp, today: string])[] = [
   [/-epub-(text-orientation\s*:\s*)vertical-right/gi, "$1mixed"],
   [/-epub-(text-underline-position\s*:\s*)alphabetic/gi, "$1auto"],
   [/-epub-fullwidth/gi, "full-width"],
+  // As WebKit calls it.
+  [/-webkit-(?=initial-letter\s*:)/gi, ""],
   // No browser knows this value, though CSS has it.
   [/(?<![\w-])(break-(?:before|after)\s*:\s*)(?:always|all)\b/gi, "$1page"],
 ];
@@ -17,7 +19,7 @@ const letterForms = /(?<=text-transform\s?:\s{0,9})[a-z][a-z\s-]{0,60}/gi;
 
 /** Returns a style sheet, or declarations, in today's properties. */
 export function withoutPrefixes(css: string): string {
-  if (!/-epub-|break-|full-/i.test(css)) return css;
+  if (!/-epub-|-webkit-initial|break-|full-/i.test(css)) return css;
   return renamed
     .reduce((text, [prefixed, today]) => text.replace(prefixed, today), css)
     .replace(/(^|[\s;{"])-epub-/gi, "$1")

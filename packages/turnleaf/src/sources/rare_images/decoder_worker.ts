@@ -1,6 +1,7 @@
 /** The worker in which an image is decoded: it may be ended at any time. */
 
 import { limits } from "../limits.ts";
+import { decodeCmykJpeg } from "./cmyk_jpeg.ts";
 import { decodeJpeg2000 } from "./jpeg2000.ts";
 import { type Pixels, TooManyPixels } from "./pixels.ts";
 import { decodeTiff } from "./tiff.ts";
@@ -15,7 +16,7 @@ export interface DecodingTask {
 }
 
 /** Types of images that are decoded. */
-export type DecodedType = "image/tiff" | "image/jp2";
+export type DecodedType = "image/tiff" | "image/jp2" | "image/jpeg";
 
 /** What the worker sends: the image as PNG, or why there is none. */
 export type DecoderMessage =
@@ -42,6 +43,7 @@ scope.onmessage = async ({ data }) => {
 };
 async function pixelsOf({ type, file, code }: DecodingTask): Promise<Pixels> {
   if (type === "image/tiff") return decodeTiff(file, limits.imagePixels);
+  if (type === "image/jpeg") return decodeCmykJpeg(file, limits.imagePixels);
   return await decodeJpeg2000(new Uint8Array(file), code, limits.imagePixels);
 }
 

@@ -44,6 +44,9 @@ describe("images of formats that few browsers show", () => {
     ...["rgb-raw.tif", "rgb-lzw.tif", "rgb-adobe_deflate.tif", "rgb-packbits.tif", "rgba.tif"],
     ...["palette.tif", "cmyk.tif", "deep.tif", "deep-big-endian.tif", "tiles.tif", "strips.tif"],
     ...["rgb.jp2", "rgb.j2k", "rgba.jp2", "rgb.jxl", "rgba.jxl"],
+    ...["float-rgb.tif", "float-rgb-be.tif", "float-rgb255.tif", "float-pred3.tif"],
+    ...["half-rgb.tif", "double-rgb.tif"],
+    ...["11", "21", "22", "42", "-default", "-range"].map((way) => `ycbcr-raw${way}.tif`),
   ])("%s has its colours", async (name) => {
     expectColours(await quartersOf(name), colours, 1);
   });
@@ -60,6 +63,21 @@ describe("images of formats that few browsers show", () => {
     ...["grey.jp2", "grey-alpha.jp2", "deep.jp2", "grey.jxl"],
   ])("%s is black and white", async (name) => {
     expectColours(await quartersOf(name), halves, 1);
+  });
+
+  it.each(["float-grey.tif", "float-grey-be.tif", "float-grey255.tif", "half-grey.tif"])(
+    "%s, of floating-point numbers, is white and black",
+    async (name) => {
+      expectColours(await quartersOf(name), [white, black, white, black], 1);
+    },
+  );
+
+  it.each([
+    ["cmyk-adobe.jpg", colours],
+    ["cmyk-unmarked.jpg", colours],
+    ["cmyk-turned.jpg", [blue, red, white, green]],
+  ])("%s, in the colours of print, has about its colours", async (name, meant) => {
+    expectColours(await quartersOf(name), meant, 8);
   });
 
   it.each([

@@ -16,6 +16,8 @@ import type { DecodedType, DecoderMessage, DecodingTask } from "./decoder_worker
 /** The formats that are decoded, and what loads the WASM of their decoders, if these have one. */
 const decoders: Readonly<Record<DecodedType, (() => Promise<{ default: string }>) | null>> = {
   "image/tiff": null,
+  // In the colours of print, which browsers show wrong.
+  "image/jpeg": null,
   "image/jp2": () => import("packed:pdfjs-dist/wasm/openjpeg.wasm"),
 };
 
@@ -36,9 +38,9 @@ let last: Promise<unknown> = Promise.resolve();
  * @param about what errors are about
  */
 export async function asPng(image: Blob, place: string, about: BookErrorDetail): Promise<Blob> {
-  const shown = await byBrowser(image);
-  if (shown) return shown;
   const type = image.type as DecodedType;
+  const shown = type === "image/jpeg" ? null : await byBrowser(image);
+  if (shown) return shown;
   if (!(type in decoders)) {
     throw new BookError(
       `${place} is ${unshownFormat(type)}, which this browser does not show; convert it to PNG or JPEG.`,
@@ -85,7 +87,7 @@ async function decoded(
       );
     case "damaged":
       throw new BookError(
-        `${place} is ${unshownFormat(type)} that is damaged or of a kind that cannot be read (${reply.detail.slice(0, detailLength)}); convert it to PNG or JPEG.`,
+        `${place} is ${unshownFormat(type) ?? "a JPEG"} that is damaged or of a kind that cannot be read (${reply.detail.slice(0, detailLength)}); convert it to PNG or JPEG.`,
         { ...about, code: "damaged" },
       );
     default:

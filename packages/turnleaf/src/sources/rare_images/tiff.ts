@@ -1,11 +1,14 @@
 /** TIFF, by UTIF: scans of one bit packed as faxes are, of grey and of colour. */
 
 import UTIF, { type Ifd } from "utif2";
+import type { PageSize } from "../page_source.ts";
+import { floatPixels } from "./float_samples.ts";
+import { lumaPixels } from "./luma_samples.ts";
 import { checkSize, type Pixels, upright } from "./pixels.ts";
 import { smallerOrMask } from "./tiff_pages.ts";
 
-/** Bits of a pixel: four samples of 32. */
-const mostBits = 128;
+/** Bits of a pixel: four samples of 64. */
+const mostBits = 256;
 
 /** A file's first byte if its numbers begin with their lowest, and the version of files beyond four gigabytes. */
 const [littleEndian, bigTiff] = [0x49, 43];
@@ -15,6 +18,16 @@ const [subfile, bits, packing, colours, samples, planes, turned, sampleFormat] =
   ...([254, 258, 259, 262] as const),
   ...([277, 284, 274, 339] as const),
 ] as const;
+const [stripRows, predictor, tileWidth, weights, sampling, range] = [
+  ...([278, 317, 322] as const),
+  ...([529, 530, 532] as const),
+] as const;
+
+/** Colours of lightness and differences, which packings as JPEG make red, green and blue. */
+const [luma, asJpeg]: readonly [number, readonly number[]] = [6, [6, 7, 34892]];
+
+/** The predictor of floating-point numbers. */
+const floatPredictor = 3;
 
 /** Kinds of colours that UTIF does not know, and makes an empty picture of: three of Lab. */
 const unknownColours: readonly number[] = [8, 9, 10];
@@ -84,8 +97,43 @@ export function decodeTiff(file: ArrayBuffer, mostPixels: number): Pixels {
   }
   UTIF.decodeImage(file, page);
   if (!page.data) throw new Error("its pixels are missing");
-  const { buffer } = UTIF.toRGBA8(page);
-  return upright({ ...size, data: new Uint8ClampedArray(buffer) }, value(page, turned, 1));
+  const data = pixelsOf(page, size, view.getUint8(0) === littleEndian);
+  return upright({ ...size, data }, value(page, turned, 1));
+}
+
+/** Returns the pixels of a picture whose samples are unpacked. */
+function pixelsOf(page: Ifd, size: PageSize, isLittle: boolean): Uint8ClampedArray<ArrayBuffer> {
+  const data = page.data as Uint8Array;
+  const kind = value(page, colours, 2);
+  const isTiled = page[`t${tileWidth}`] !== undefined;
+  if (value(page, sampleFormat, 1) === floating && kind <= 2) {
+    const isPredicted = value(page, predictor, 1) === floatPredictor;
+    if (isPredicted && isTiled) throw new Error("its numbers are predicted in tiles");
+    // UTIF has exchanged the bytes of each, which are not those of one number.
+    if (isPredicted && !isLittle && value(page, bits, 1) === 16) {
+      throw new Error("its numbers of 16 bits are predicted");
+    }
+    const layout = { count: value(page, samples, 1), bits: value(page, bits, 1), isLittle };
+    return floatPixels({ ...size, ...layout, data, isPredicted, isNegative: kind === 0 });
+  }
+  if (kind === luma && !asJpeg.includes(value(page, packing, 1))) {
+    if (isTiled) throw new Error("its colours are stored in tiles");
+    if (value(page, bits, 1) !== 8) throw new Error("its colours are of more than 8 bits");
+    const [across = 2, down = 2] = page[`t${sampling}`] ?? [];
+    return lumaPixels({
+      ...{ ...size, data, across, down },
+      rows: Math.min(value(page, stripRows, size.height), size.height),
+      weights: fractions(page, weights) ?? [],
+      range: fractions(page, range) ?? [0, 255, 128, 255, 128, 255],
+    });
+  }
+  return new Uint8ClampedArray(UTIF.toRGBA8(page).buffer);
+}
+
+/** Returns the values of a tag whose values are fractions, which UTIF has as pairs. */
+function fractions(directory: Ifd, tag: number): number[] | undefined {
+  const pairs = directory[`t${tag}`] as unknown as readonly (readonly number[])[] | undefined;
+  return pairs?.map(([over = 0, under = 1]) => over / (under || 1));
 }
 
 function value(directory: Ifd, tag: number, otherwise: number): number {

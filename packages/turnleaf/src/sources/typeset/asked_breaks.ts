@@ -1,10 +1,28 @@
-/** Pages that a book begins where no browser breaks a column: at the break of a line, at a picture in one, and in boxes that do not break. */
+/** What a book says of pages by variables, and pages that it begins where no browser breaks a column: at the break of a line, at a picture in one, and in boxes that do not break. */
 
+import { pagedStyles, variableMark } from "../markup/paged_css.ts";
 import { isUnbroken, opened, setStyles } from "./box_styles.ts";
 import type { StyleMentions } from "./style_mentions.ts";
 
 /** What stands in a line and is no text: a page is begun at it as at a box. */
 const inLine = /^(img|svg|video|object)$/;
+
+/**
+ * Has what a section says of pages by variables hold in columns, as what it says by itself does.
+ *
+ * @param body the section's body, laid out
+ * @param styles the style sheets of the section
+ */
+export function resolveVariables(body: Element, styles: readonly string[]): void {
+  const isMarked =
+    styles.some((css) => css.includes(variableMark)) ||
+    body.querySelector(`[style*="${variableMark}"]`) !== null;
+  if (!isMarked) return;
+  const view = body.ownerDocument.defaultView as Window;
+  for (const element of body.querySelectorAll<HTMLElement | SVGElement>("*")) {
+    setStyles(element, pagedStyles(view.getComputedStyle(element)));
+  }
+}
 
 /**
  * Has all page breaks that a section asks for begin a page.

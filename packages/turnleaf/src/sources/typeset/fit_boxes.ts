@@ -21,6 +21,9 @@ const sizeStep = 0.1;
 /** Pictures. */
 const replaced = /^(img|video|canvas|object)$/;
 
+/** Controls that are drawn whole. */
+const drawnControl = /^(input|meter|progress)$/;
+
 /**
  * Changes the styles of the boxes in a section that is set in columns, so that all of them fit.
  *
@@ -69,7 +72,7 @@ export function fitBoxes(
       const isNarrowed = isWide || !isLined;
       changes.push([
         box,
-        wholeChange(box, style, isWide, type) ?? {
+        wholeChange(box, style, { isWide, isHigh }, type) ?? {
           ...opened(style, writingMode),
           ...(isNarrowed ? narrowed(box, style, type) : {}),
         },
@@ -124,13 +127,22 @@ interface TypeArea {
   readonly isVertical: boolean;
 }
 
-/** Returns the styles by which a box that stays whole is smaller; null for one whose content may be laid out anew. */
+/** Returns the styles by which a box that stays whole is smaller, or none; null for one whose content may be laid out anew. */
 function wholeChange(
   box: HTMLElement,
   style: CSSStyleDeclaration,
-  isWide: boolean,
+  { isWide, isHigh }: { readonly isWide: boolean; readonly isHigh: boolean },
   area: TypeArea,
 ): Styles | null {
+  // The legend of a fieldset is whole whatever its style is.
+  if (isHigh && box.localName === "legend") return { display: "contents" };
+  if (drawnControl.test(box.localName)) {
+    const [inline, block] = [`${area.line}px`, `${area.page}px`];
+    return {
+      ...{ "min-inline-size": "0", "min-block-size": "0", "max-inline-size": inline },
+      ...(isHigh && { "max-block-size": block }),
+    };
+  }
   // The section's own style has pictures fit, unless they may not be smaller.
   if (replaced.test(box.localName)) return { "min-inline-size": "0", "min-block-size": "0" };
   return isWide && isPlacing(box, style) ? scaledDown(box, area) : null;

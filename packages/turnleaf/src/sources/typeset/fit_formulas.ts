@@ -1,17 +1,17 @@
 /** Formulas that are wider than a line, which no browser breaks: they are smaller, and else broken between their parts. */
 
-import { setStyles, tolerance } from "./box_styles.ts";
+import { type Styles, setStyles, tolerance } from "./box_styles.ts";
 
 /** The smallest size of a formula, over its own; wider still, it is broken. */
 const smallest = 0.6;
 
-/** Elements of a formula that put its parts beside each other. */
-const rows = ":scope > mrow, :scope > mstyle, :scope > semantics";
+/** Elements of a formula that put its parts beside each other or, in tables, beneath. */
+const rows = /^m(?:row|style|padded|table|tr|labeledtr|td)$/;
 
 /** Makes all formulas in a section's body, laid out, as wide as what is around them lets them be. */
 export function fitFormulas(body: Element, isVertical: boolean): void {
   const view = body.ownerDocument.defaultView as Window;
-  const wide: { math: HTMLElement; size: number; type: number }[] = [];
+  const wide: { math: HTMLElement; size: number; type: number; room: number }[] = [];
   // All are measured before any is changed: after a change the browser lays out the whole section.
   for (const math of body.querySelectorAll<HTMLElement>("math")) {
     const [own, room] = [math, boxAround(math)].map((element) => {
@@ -24,12 +24,14 @@ export function fitFormulas(body: Element, isVertical: boolean): void {
     const width = widthIn(math, own, isVertical);
     if (room === 0 || width <= room + tolerance) continue;
     const type = Number.parseFloat(view.getComputedStyle(math).fontSize);
-    wide.push({ math, size: room / width, type });
+    wide.push({ math, size: room / width, type, room });
   }
-  for (const { math, size, type } of wide) {
+  const broken: { math: HTMLElement; room: number }[] = [];
+  for (const { math, size, type, room } of wide) {
     setStyles(math, { "font-size": `${type * Math.max(size, smallest)}px` });
-    if (size < smallest) breakUp(math);
+    if (size < smallest) broken.push({ math, room });
   }
+  for (const { math, room } of broken) breakUp(math, room, isVertical);
 }
 
 /** Returns the box whose lines a formula is in: what is as wide as its own text gives it no room. */
@@ -41,7 +43,7 @@ function boxAround(math: Element): Element {
   return box;
 }
 
-/** Returns how wide a formula is with all its parts, which may lie beyond its own box. */
+/** Returns how wide a formula, or a part of one, is with all its parts, which may lie beyond its own box. */
 function widthIn(math: Element, own: number, isVertical: boolean): number {
   const range = math.ownerDocument.createRange();
   range.selectNodeContents(math);
@@ -49,16 +51,36 @@ function widthIn(math: Element, own: number, isVertical: boolean): number {
   return Math.max(own, isVertical ? height : width);
 }
 
-/** Has the parts of a formula follow each other as words do. */
-function breakUp(math: HTMLElement): void {
-  setStyles(math, { display: "block" });
-  for (let row: Element | null = math; row; row = row.querySelector(rows)) {
-    if (row !== math) setStyles(row as HTMLElement, { display: "inline" });
+/** Has the parts of a formula follow each other as words do, and those of parts that are wider than a line. */
+function breakUp(math: HTMLElement, room: number, isVertical: boolean): void {
+  const changes: [part: HTMLElement, styles: Styles][] = [[math, { display: "block" }]];
+  const wide = [math];
+  // All are measured before any is changed.
+  for (const row of wide) {
     for (const part of row.children as HTMLCollectionOf<HTMLElement>) {
-      // Operators stand apart from their terms by rules of the row.
-      if (part.localName === "mo") setStyles(part, { "margin-inline": "0.25em" });
-      setStyles(part, { display: "inline math" });
+      const { localName } = part;
+      const isWide = widthIn(part, 0, isVertical) > room + tolerance;
+      const isRow = rows.test(localName);
+      // Of a table that is broken the rows stand beneath each other, and their cells follow each other.
+      const display = /^m(?:table|tr|labeledtr)$/.test(localName) ? "block" : "inline";
+      const isOfTable = /^m(?:tr|labeledtr|td)$/.test(localName);
+      const isBroken = isOfTable || (isWide && (isRow || isText(part)));
+      changes.push([
+        part,
+        {
+          display: isBroken ? display : "inline math",
+          ...(isBroken && { "white-space": "normal" }),
+          // Operators and cells stand apart from what is beside them by rules of the row.
+          ...(/^m[ot]d?$/.test(localName) && { "margin-inline": "0.25em" }),
+        },
+      ]);
+      if (isBroken && isRow) wide.push(part);
     }
-    if (row.childElementCount > 1) break;
   }
+  for (const [part, styles] of changes) setStyles(part, styles);
+}
+
+/** Returns whether a part of a formula is words or a sign, and has no parts. */
+function isText({ childElementCount }: Element): boolean {
+  return childElementCount === 0;
 }

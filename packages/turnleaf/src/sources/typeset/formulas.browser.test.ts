@@ -55,6 +55,24 @@ test("a formula is one run: its TeX, what its author says of it, or its signs on
   expect(found[0]?.math).not.toContain("annotation");
 });
 
+test("what is said of several formulas alike is said of none", async () => {
+  const said = 'alttext="Not available"';
+  const formulas = [
+    math("<mi>x</mi>", said),
+    math("<mi>y</mi><mo>+</mo><mi>z</mi>", said),
+    math("<mi>a</mi>", 'alttext="the letter"'),
+    math("<mi>a</mi>", 'alttext="the letter"'),
+  ];
+  const source = await laidOut(tinyEpub({ chapters: [`<p>${formulas.join(" ")}</p>`] }));
+  const runs = (await source.text?.(0, never)) ?? [];
+  expect(runs.filter((run) => run.math).map(({ text }) => text)).toEqual([
+    "x",
+    "y + z",
+    "the letter",
+    "the letter",
+  ]);
+});
+
 test("over the page it is MathML to screen readers, and its text to a reader who copies it", () => {
   const hostile = math(
     '<mi onclick="alert(1)" href="javascript:alert(1)">x</mi><script xmlns="http://www.w3.org/1999/xhtml">1</script><mtext><img xmlns="http://www.w3.org/1999/xhtml" src="x"/>y</mtext>',

@@ -29,11 +29,16 @@ export function hideUnseen(body: Element, flow: PageFlow, mentions: StyleMention
   for (const element of mentions.boxesWith(body, hiding)) {
     if (!(element instanceof view.HTMLElement)) continue;
     const style = view.getComputedStyle(element);
-    const { overflowX, overflowY, clip, clipPath, display, position } = style;
+    const { overflowX, overflowY, clip, clipPath, display, position, contentVisibility } = style;
     const isShort =
       (overflowX !== "visible" && element.offsetWidth <= nothing) ||
       (overflowY !== "visible" && element.offsetHeight <= nothing);
-    const isCut = (isShort && display !== "inline") || isEmpty(clip) || emptyClip.test(clipPath);
+    const isCut =
+      (isShort && display !== "inline") ||
+      isEmpty(clip) ||
+      emptyClip.test(clipPath) ||
+      // The browser tells where the text in such a box would be.
+      contentVisibility === "hidden";
     const isAway = /^(?:absolute|fixed)$/.test(position) && liesBefore(element);
     if (isCut || isAway) hidden.push(element);
   }

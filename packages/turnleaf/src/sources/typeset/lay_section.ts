@@ -3,11 +3,13 @@
 import { limits } from "../limits.ts";
 import type { PageSize, Typography } from "../page_source.ts";
 import { alignText, alignUnsaid } from "./align_text.ts";
-import { honourBreaks } from "./asked_breaks.ts";
+import { honourBreaks, resolveVariables } from "./asked_breaks.ts";
 import { setStyles } from "./box_styles.ts";
 import { fitBoxes, fixCrossed } from "./fit_boxes.ts";
 import { fitFormulas } from "./fit_formulas.ts";
+import { fitType } from "./fit_type.ts";
 import { type FlowContent, type LostPart, lostAttribute, sourceAttribute } from "./flow_book.ts";
+import { drawControls } from "./form_controls.ts";
 import {
   applyInlineStyles,
   fontRule,
@@ -19,6 +21,7 @@ import {
 } from "./frame.ts";
 import { hideUnseen } from "./hide_unseen.ts";
 import { divideWords } from "./hyphenation/divide_words.ts";
+import { initialLetters } from "./initial_letters.ts";
 import { bleed } from "./lone_picture.ts";
 import { type MarginStyle, Markup } from "./markup.ts";
 import { blankIds, isNoteLink } from "./notes.ts";
@@ -26,7 +29,7 @@ import { leafOf, measuresOf, type PageMeasures } from "./page_measures.ts";
 import { mostNanoseconds, paintingOf } from "./paint_cost.ts";
 import { placeBoxes } from "./place_boxes.ts";
 import { StyleMentions } from "./style_mentions.ts";
-import { type PageFlow, pageOfRect, TextMap } from "./text_map.ts";
+import { type InitialLetter, type PageFlow, pageOfRect, TextMap } from "./text_map.ts";
 import { trimHeights } from "./trim_heights.ts";
 import { isTypeface, typefaceRules } from "./typefaces/typefaces.ts";
 import { baseStyle, columnStyle, fixedStyle, readerStyle, rollStyle } from "./typography.ts";
@@ -148,6 +151,7 @@ export async function laySection(
     if (typography.hyphens !== "none") await divideWords(body);
   }
   await loadedIn(frame, html);
+  let initials: ReadonlyMap<Node, InitialLetter> = new Map();
   const area = { width: page.width - 2 * page.sides, height: page.height - 2 * page.ends };
   if (inColumns.length > 0 && (await bleed(html, area, page))) {
     page = { ...page, sides: 0, ends: 0 };
@@ -159,6 +163,12 @@ export async function laySection(
     const ends = isSliced ? { height: Number.POSITIVE_INFINITY } : {};
     const fitted = new WeakSet<Element>();
     const fit = (): void => fitBoxes(body, { ...area, ...ends }, writingMode, fitted);
+    drawControls(body);
+    resolveVariables(body, content.styles);
+    const [line, across] = isVertical ? [area.height, area.width] : [area.width, area.height];
+    const type = { line, page: isSliced ? Number.POSITIVE_INFINITY : across };
+    fitType(body as HTMLElement, type, content.styles);
+    initials = initialLetters(body, type, content.styles);
     hideUnseen(body, flow, mentions);
     if (!isSliced) honourBreaks(body, writingMode, mentions);
     fit();
@@ -189,7 +199,7 @@ export async function laySection(
     },
   };
   if (paintingOf(html, content.styles, size, flow) > mostNanoseconds) throw new OverpaintedError();
-  const text = new TextMap(body, flow, pageCount, mentions);
+  const text = new TextMap(body, flow, pageCount, { mentions, initials });
   const styles = withUsedFonts([spokenStyle, ...own], frame);
   const margins: MarginStyle | null =
     content.size || isSliced

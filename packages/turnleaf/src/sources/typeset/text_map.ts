@@ -16,6 +16,14 @@ export interface PageFlow {
   readonly isVertical: boolean;
 }
 
+/** A letter of a text that reaches over several lines, with the marks beside it. */
+export interface InitialLetter {
+  /** Where it ends in its text. */
+  readonly end: number;
+  /** Its size over that of the letters after it. */
+  readonly scale: number;
+}
+
 /** A piece of text on some pages, or a formula, which is on one. */
 interface Piece {
   readonly node: Text | Element;
@@ -43,15 +51,23 @@ export class TextMap {
   /** The number of all characters. */
   readonly length: number;
   readonly #flow: PageFlow;
+  readonly #initials: ReadonlyMap<Node, InitialLetter>;
   readonly #pieces: readonly Piece[];
   readonly #range: Range;
 
   /**
    * @param body its element, laid out
    * @param mentions of the section's own style
+   * @param initials its letters that reach over several lines, by their texts
    */
-  constructor(body: Element, flow: PageFlow, pageCount: number, mentions: StyleMentions) {
+  constructor(
+    body: Element,
+    flow: PageFlow,
+    pageCount: number,
+    { mentions, initials }: { mentions: StyleMentions; initials: ReadonlyMap<Node, InitialLetter> },
+  ) {
     this.#flow = flow;
+    this.#initials = initials;
     this.#range = body.ownerDocument.createRange();
     const starts: (number | undefined)[] = Array.from({ length: pageCount });
     const pieces: Piece[] = [];
@@ -112,8 +128,10 @@ export class TextMap {
   #pieceOf(node: Piece["node"], offset: number, pageCount: number): Piece | null {
     this.#range.selectNodeContents(node);
     let [first, last] = [Number.POSITIVE_INFINITY, -1];
+    // Marks over a letter that another element has take no room.
+    const isMarks = isText(node) && /^\p{M}+$/u.test(node.data);
     for (const rect of this.#range.getClientRects()) {
-      if (rect.width === 0 || rect.height === 0) continue;
+      if ((rect.width === 0 && !isMarks) || rect.height === 0) continue;
       const page = Math.min(Math.max(pageOfRect(this.#flow, rect), 0), pageCount - 1);
       first = Math.min(first, page);
       last = Math.max(last, page);
@@ -168,6 +186,14 @@ export class TextMap {
     return rects.findLast(({ width, height }) => width > 0 && height > 0) ?? null;
   }
 
+  /** Returns the place of a mark over a letter that another element has: it takes no room. */
+  #markRect(node: Text, from: number, to: number): DOMRect | null {
+    if (!/^\p{M}/u.test(node.data.slice(from, to))) return null;
+    this.#range.setStart(node, from);
+    this.#range.setEnd(node, to);
+    return [...this.#range.getClientRects()].find(({ height }) => height > 0) ?? null;
+  }
+
   /** Splits a piece's part on a page where a line ends. */
   #linesOf(piece: Piece, page: number): Line[] {
     const { node } = piece;
@@ -179,7 +205,7 @@ export class TextMap {
     let line: Line | null = null;
     for (let k = from; k < text.length; ) {
       const next = k + (/[\ud800-\udbff]/.test(text[k] as string) ? 2 : 1);
-      const rect = this.#rectOf(node, k, next);
+      const rect = this.#rectOf(node, k, next) ?? this.#markRect(node, k, next);
       if (rect === null) {
         k = this.#firstPlaced(node, next);
         // Not between the halves of a character.
@@ -195,8 +221,8 @@ export class TextMap {
       if (on > page) break;
       const letters = cleanRun(text.slice(k, next));
       if (on === page && letters !== "") {
-        const box = this.#onPage(rect, page);
-        if (line === null || !continues(line, box, isVertical)) {
+        const box = this.#onPage(this.#wholeRect(node, k, rect), page);
+        if (line === null || !continues(line, box, isVertical) || isOther(line, box, isVertical)) {
           if (line !== null && isWithinWord(text, k) && hasHyphens(node)) endInWord(line);
           line = { text: "", box, boxes: [], isVertical, node, from: k, to: k };
           lines.push(line);
@@ -252,6 +278,18 @@ export class TextMap {
     this.#range.setStartAfter(node);
     this.#range.setEndBefore(next.node);
     return this.#range.cloneContents().querySelector("br") === null;
+  }
+
+  /** Returns the place of a letter of which the browser tells another height than it has. */
+  #wholeRect(node: Text, at: number, rect: DOMRect): DOMRect {
+    const initial = this.#initials.get(node);
+    if (!initial || at >= initial.end) return rect;
+    const { x, y, width, height } = rect;
+    if (!this.#flow.isVertical) return new DOMRect(x, y, width, height * initial.scale);
+    const whole = width * initial.scale;
+    const view = node.ownerDocument.defaultView as Window;
+    const { writingMode } = view.getComputedStyle(node.parentElement as Element);
+    return new DOMRect(writingMode === "vertical-rl" ? x + width - whole : x, y, whole, height);
   }
 
   #onPage(rect: DOMRect, page: number): PageBox {
@@ -353,6 +391,15 @@ function continues({ box }: { box: PageBox }, next: PageBox, isVertical: boolean
     : [box.y, box.height, next.y, next.height];
   const shared = Math.min(from + length, nextFrom + nextLength) - Math.max(from, nextFrom);
   return shared > Math.min(length, nextLength) / 2;
+}
+
+/** A letter of so many times another's height stands in a line of its own, which reaches over several. */
+const largeLetter = 1.5;
+
+/** Returns whether a letter is one that reaches over several lines while those of its text do not, or the other way round. */
+function isOther({ box }: { box: PageBox }, next: PageBox, isVertical: boolean): boolean {
+  const [own, other] = isVertical ? [box.width, next.width] : [box.height, next.height];
+  return Math.max(own, other) > largeLetter * Math.min(own, other);
 }
 
 function union(a: PageBox, b: PageBox): PageBox {

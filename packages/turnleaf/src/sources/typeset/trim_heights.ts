@@ -1,13 +1,14 @@
-/** Heights that a book sets for a screen: where nothing is in them, they would leave pages empty. */
+/** Heights and room that a book sets for a screen: where nothing is in them, they would leave pages empty. */
 
 import type { PageSize } from "../page_source.ts";
 import { pagesOf, setStyles, tolerance } from "./box_styles.ts";
+import { fitGenerated } from "./fit_type.ts";
 import { drawingOf } from "./frame.ts";
 import { boxesIn } from "./style_mentions.ts";
 import { type PageFlow, pageOfRect } from "./text_map.ts";
 
 /** What has a height without anything in it. */
-const replaced = "img, svg, video, canvas, object";
+const replaced = "img, svg, video, canvas, object, input, meter, progress";
 
 /**
  * Makes pictures, and boxes that end on a later page than what is in them, as high as there is room for.
@@ -31,8 +32,9 @@ export function trimHeights(body: Element, flow: PageFlow, area: PageSize): void
     if (around.has(element)) continue;
     const rects = [...element.getClientRects()];
     if (rects.length < 2 || element.matches(replaced)) continue;
+    trimRoom(element, body, flow);
     const content = contentOf(element);
-    const { first, last } = pagesOf(flow, rects);
+    const { first, last } = pagesOf(flow, [...element.getClientRects()]);
     const ends = content.map((rect) => pageOfRect(flow, rect));
     if (Math.max(first, ...ends) >= last) continue;
     for (let box = element.parentElement; box && !around.has(box); box = box.parentElement) {
@@ -48,6 +50,63 @@ export function trimHeights(body: Element, flow: PageFlow, area: PageSize): void
       ...(content.length === 0 ? { "break-after": "column" } : {}),
     });
   }
+}
+
+/**
+ * Takes away the room at the ends of a box that fills a page, or ends on a later one than what is in it. What
+ * begins or ends there does so on the page that follows.
+ */
+function trimRoom(element: HTMLElement, body: Element, flow: PageFlow): void {
+  const view = element.ownerDocument.defaultView as Window;
+  const pages = (): { first: number; last: number; from: number; to: number } | null => {
+    const content = contentOf(element).map((rect) => pageOfRect(flow, rect));
+    if (content.length === 0) return null;
+    const own = pagesOf(flow, [...element.getClientRects()]);
+    return { ...own, from: Math.min(...content), to: Math.max(...content) };
+  };
+  const take = (end: "start" | "end", part: "before" | "after"): void => {
+    fitGenerated(element, `${part}-room`);
+    setStyles(element, {
+      [`padding-block-${end}`]: "0",
+      [`border-block-${end}-width`]: "0",
+      ...(view.getComputedStyle(element).display.endsWith("table") && { "border-spacing": "0" }),
+      [`break-${part}`]: "column",
+    });
+  };
+  const before = pages();
+  if (before && before.from > before.first && hasRoom(element, view, "start")) {
+    const isFar = before.from > before.first + 1;
+    if (isFar || isFirstOn(element, body, flow, before.first)) take("start", "before");
+  }
+  const after = pages();
+  if (after && after.last > after.to && hasRoom(element, view, "end")) take("end", "after");
+}
+
+/** Returns whether there is room at an end of a box, within it. */
+function hasRoom(element: Element, view: Window, end: "start" | "end"): boolean {
+  const style = view.getComputedStyle(element);
+  const part = view.getComputedStyle(element, end === "start" ? "::before" : "::after");
+  const isOver = (of: CSSStyleDeclaration, names: readonly string[]): boolean =>
+    names.some((name) => Number.parseFloat(of.getPropertyValue(name)) > 0);
+  const isApart =
+    style.display.endsWith("table") &&
+    !/^0px(?: 0px)?$/.test(style.getPropertyValue("border-spacing"));
+  const isMade = !/^(?:none|normal)$/.test(part.content);
+  const sizes = ["block-size", "padding-block-start", "padding-block-end", "margin-block-start"];
+  return (
+    isApart ||
+    isOver(style, [`padding-block-${end}`, `border-block-${end}-width`]) ||
+    (isMade && isOver(part, sizes))
+  );
+}
+
+/** Returns whether nothing before an element is on a page. */
+function isFirstOn(element: Element, body: Element, flow: PageFlow, page: number): boolean {
+  const range = element.ownerDocument.createRange();
+  range.setStart(body, 0);
+  range.setEndBefore(element);
+  const rects = [...range.getClientRects()].filter(({ width, height }) => width > 0 && height > 0);
+  return rects.every((rect) => pageOfRect(flow, rect) !== page);
 }
 
 /** Returns the places of what is in a box. */

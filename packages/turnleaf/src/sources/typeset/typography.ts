@@ -1,8 +1,9 @@
 /** How flowing text is set: the style sheets that follow from what the reader chooses. */
 
-import { areaDeclarations } from "../markup/paged_css.ts";
+import { areaDeclarations, columnSpan } from "../markup/paged_css.ts";
 import type { PageColours, PageSize, Typography } from "../page_source.ts";
 import { pieceStyle } from "./divide.ts";
+import { generatedStyle } from "./fit_type.ts";
 import type { PageMeasures } from "./page_measures.ts";
 import { serif } from "./serif.ts";
 import { stackOf } from "./typefaces/typefaces.ts";
@@ -29,6 +30,8 @@ h1, h2, h3, h4, h5, h6 { break-after: avoid; break-inside: avoid; }
 figure, tr { break-inside: avoid; }
 pre { white-space: pre-wrap; }
 a { color: inherit; }
+/* Of words in a formula that are broken, Chromium shows the first line alone. */
+:is(mi, mn, mo, ms, mtext) { white-space: nowrap; }
 .turnleaf-sound {
   display: inline-block; box-sizing: border-box; width: 300px; max-width: 100%; height: 40px;
   border: 1px solid #8888; border-radius: 20px; background: #8882; vertical-align: middle;
@@ -84,10 +87,11 @@ const bodyStyle = `body {
   min-width: 0 !important; min-height: 0 !important; position: static !important; float: none !important;
   margin: 0 !important; padding: 0 !important; overflow: visible !important; columns: auto !important;
   transform: none !important; translate: none !important; rotate: none !important; scale: none !important;
+  ${columnSpan}: none !important;
 }`;
 
 /** Everything in it. */
-const everyStyle = `* { text-rendering: geometricPrecision !important; overflow-wrap: break-word; animation: none !important; transition: none !important; }${pieceStyle}`;
+const everyStyle = `* { text-rendering: geometricPrecision !important; overflow-wrap: break-word; animation: none !important; transition: none !important; }${pieceStyle}${generatedStyle}`;
 
 /** Returns the style sheet that sets a section into pages as columns. */
 export function columnStyle(page: PageMeasures, isVertical: boolean, direction: string): string {
