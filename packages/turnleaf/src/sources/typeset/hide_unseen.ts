@@ -11,7 +11,15 @@ const nothing = 1;
 const emptyClip = /^inset\((?:50|100)%(?: (?:50|100)%)*\)$/;
 
 /** Properties by which a box may show nothing. */
-const hiding = ["overflow", "overflow-x", "overflow-y", "clip", "clip-path", "position"];
+const hiding = [
+  "overflow",
+  "overflow-x",
+  "overflow-y",
+  "clip",
+  "clip-path",
+  "position",
+  "content-visibility",
+];
 
 /**
  * Hides the boxes in a section's body, laid out, of which nothing is seen: as their edges cut it, or as they lie

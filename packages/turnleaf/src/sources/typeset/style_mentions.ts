@@ -3,7 +3,7 @@
  * question for a computed style may have the browser lay out: what no style mentions is not asked for.
  */
 
-import { textElements } from "./typography.ts";
+import { textElements } from "./text_elements.ts";
 
 /** Pictures and fonts in style sheets, as `cleanCss` writes them. */
 const dataAddress = /url\("data:[^"]*"\)/g;

@@ -6,6 +6,7 @@ import { pieceStyle } from "./divide.ts";
 import { generatedStyle } from "./fit_type.ts";
 import type { PageMeasures } from "./page_measures.ts";
 import { serif } from "./serif.ts";
+import { textElements } from "./text_elements.ts";
 import { stackOf } from "./typefaces/typefaces.ts";
 
 /** Typography as the book has it. */
@@ -38,10 +39,6 @@ a { color: inherit; }
 }
 .turnleaf-film { display: inline-block; background: #000; }
 `;
-
-/** Elements of text: browsers give them fonts and margins, and neither a place, a cut nor a movement. */
-export const textElements: string =
-  "html, body, div, section, article, p, li, dd, dt, blockquote, td, th, span, em, i, strong, b, a, small";
 
 /** Returns the style sheet above the book's own. */
 export function readerStyle(typography: Typography): string {
