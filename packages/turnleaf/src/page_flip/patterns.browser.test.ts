@@ -54,6 +54,8 @@ function addHost(): HTMLElement {
 /** Mounts a book in a React component as projects do, in StrictMode, and mounts it anew. */
 async function inReact(made: BookClass): Promise<unknown> {
   const books: Book[] = [];
+  // One may open before the next look at how many there are.
+  const opening: Promise<void>[] = [];
   const Flip = () => {
     const around = useRef<HTMLDivElement>(null);
     useEffect(() => {
@@ -61,6 +63,7 @@ async function inReact(made: BookClass): Promise<unknown> {
       const host = document.createElement("div");
       around.current?.append(host);
       const book = new made(host, pageSize);
+      opening.push(opens(book));
       book.loadFromHTML(htmlPages(6));
       books.push(book);
       return () => book.destroy();
@@ -70,11 +73,11 @@ async function inReact(made: BookClass): Promise<unknown> {
   const root = createRoot(addHost());
   root.render(createElement(StrictMode, null, createElement(Flip)));
   await eventually(() => books.length).toBe(2);
-  await opens(books[1]);
+  await opening[1];
   const first = place(books[1]);
   root.render(createElement(StrictMode, null, createElement(Flip, { key: "other" })));
   await eventually(() => books.length).toBe(4);
-  await opens(books[3]);
+  await opening[3];
   books[3].turnToPage(2);
   const seen = [first, place(books[3]), document.querySelectorAll(".stf__wrapper").length];
   root.unmount();
