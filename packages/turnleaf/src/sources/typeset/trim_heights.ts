@@ -31,8 +31,8 @@ export function trimHeights(body: Element, flow: PageFlow, area: PageSize): void
     if (around.has(element)) continue;
     const rects = [...element.getClientRects()];
     if (rects.length < 2 || element.matches(replaced)) continue;
-    trimRoom(element, body, flow);
-    const content = contentOf(element);
+    let content = contentOf(element);
+    if (trimRoom(element, content, body, flow)) content = contentOf(element);
     const { first, last } = pagesOf(flow, [...element.getClientRects()]);
     const ends = content.map((rect) => pageOfRect(flow, rect));
     if (Math.max(first, ...ends) >= last) continue;
@@ -53,15 +53,21 @@ export function trimHeights(body: Element, flow: PageFlow, area: PageSize): void
 
 /**
  * Takes away the room at the ends of a box that fills a page, or ends on a later one than what is in it. What
- * begins or ends there does so on the page that follows.
+ * begins or ends there does so on the page that follows. Returns whether any was taken away.
+ *
+ * @param content the places of what is in it
  */
-function trimRoom(element: HTMLElement, body: Element, flow: PageFlow): void {
+function trimRoom(
+  element: HTMLElement,
+  content: readonly DOMRect[],
+  body: Element,
+  flow: PageFlow,
+): boolean {
+  if (content.length === 0) return false;
   const view = element.ownerDocument.defaultView as Window;
-  const pages = (): { first: number; last: number; from: number; to: number } | null => {
-    const content = contentOf(element).map((rect) => pageOfRect(flow, rect));
-    if (content.length === 0) return null;
-    const own = pagesOf(flow, [...element.getClientRects()]);
-    return { ...own, from: Math.min(...content), to: Math.max(...content) };
+  const pages = (rects: readonly DOMRect[]): { from: number; to: number } => {
+    const all = rects.map((rect) => pageOfRect(flow, rect));
+    return { from: Math.min(...all), to: Math.max(...all) };
   };
   const take = (end: "start" | "end", part: "before" | "after"): void => {
     fitGenerated(element, `${part}-room`);
@@ -72,13 +78,19 @@ function trimRoom(element: HTMLElement, body: Element, flow: PageFlow): void {
       [`break-${part}`]: "column",
     });
   };
-  const before = pages();
-  if (before && before.from > before.first && hasRoom(element, view, "start")) {
-    const isFar = before.from > before.first + 1;
-    if (isFar || isFirstOn(element, body, flow, before.first)) take("start", "before");
-  }
-  const after = pages();
-  if (after && after.last > after.to && hasRoom(element, view, "end")) take("end", "after");
+  const { first } = pagesOf(flow, [...element.getClientRects()]);
+  const { from } = pages(content);
+  const isFar = from > first + 1;
+  const isLate =
+    from > first &&
+    hasRoom(element, view, "start") &&
+    (isFar || isFirstOn(element, body, flow, first));
+  if (isLate) take("start", "before");
+  const { last } = pagesOf(flow, [...element.getClientRects()]);
+  const { to } = pages(isLate ? contentOf(element) : content);
+  const isEarly = last > to && hasRoom(element, view, "end");
+  if (isEarly) take("end", "after");
+  return isLate || isEarly;
 }
 
 /** Returns whether there is room at an end of a box, within it. */
