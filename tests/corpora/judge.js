@@ -1,6 +1,6 @@
 /** Runs in the browser: opens a book as the package does, walks every page and judges what can be judged without an eye. */
 import { openSource } from "/turnleaf/index.js";
-import { lettersOf, lettersOfFormula, secondOpinion } from "./second_opinion.js";
+import { lettersOf, secondOpinion, textOfFormula } from "./second_opinion.js";
 
 const never = new AbortController().signal;
 
@@ -223,9 +223,9 @@ export async function judge(address, fileName, base, log) {
       fault(error.name === "BookError" ? "refused" : "failed", error.message, index + 1);
     }
     // What a formula says on one line is its author's, or reckoned: what it shows is in its elements.
-    const shown = ({ text, math }) =>
-      math === undefined ? lettersOf(text) : lettersOfFormula(math);
-    found.letters.push(runs.map(shown).join(""));
+    const shown = ({ text, math }) => (math === undefined ? text : textOfFormula(math));
+    // Together, as marks join the letters before them.
+    found.letters.push(lettersOf(runs.map(shown).join("")));
     if (!drawn.has(index)) continue;
     try {
       const size = await source.size(index);

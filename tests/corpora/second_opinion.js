@@ -147,13 +147,13 @@ export function lettersOf(text) {
     .replace(/[\s\p{Cc}\p{Cf}\u{FFFD}^_(){}[\],;]+/gu, "");
 }
 
-/** Returns the letters that a formula shows, as XML. */
-export function lettersOfFormula(xml) {
+/** Returns the text that a formula shows, as XML. */
+export function textOfFormula(xml) {
   const { documentElement: math } = new DOMParser().parseFromString(xml, "application/xml");
   for (const hidden of math.querySelectorAll("mphantom, annotation, annotation-xml")) {
     hidden.remove();
   }
-  return lettersOf(math.textContent);
+  return math.textContent;
 }
 
 /** Returns what may be read of a document besides what is seen of it, or in its place. */
