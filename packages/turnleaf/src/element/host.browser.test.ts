@@ -59,6 +59,24 @@ test("its page may say that it is not in the order of Tab", async () => {
   expect(document.activeElement).toBe(after);
 });
 
+test("asking how large the book would be beside a panel moves nothing of one that is zoomed", async () => {
+  const element = book(scans(12), { page: "6", duration: "60" });
+  await happens(element, "load");
+  for (const [x, y] of [
+    [1, 1],
+    [element.clientWidth - 1, element.clientHeight - 1],
+  ]) {
+    element.zoom = 1;
+    await settled(element);
+    element.zoomTo(3, { x, y });
+    await settled(element);
+    const before = element.bookBounds?.toJSON();
+    expect(element.fractionBeside(element.clientWidth / 2)).toBeLessThan(1);
+    // Not the rectangle: two of them count as equal whatever they are.
+    expect(element.bookBounds?.toJSON()).toEqual(before);
+  }
+});
+
 test("moved within its page it keeps its page and its zoom", async () => {
   const element = book(scans(12), { page: "6", duration: "60" });
   await happens(element, "load");

@@ -33,21 +33,27 @@ export async function showableImage(
     : png;
 }
 
-/** Segments of a JPEG that are looked at, each in a read of its own. */
-const mostSegments = 200;
+/** Segments of a JPEG that are looked at, bytes of one's beginning, and those that are read at once. */
+const [mostSegments, segmentStart, readAtOnce] = [200, 12, 1 << 16];
 
 /** Returns whether a JPEG is in four colours and does not bear Adobe's mark, by which browsers know how these are written. */
 async function isPlainCmyk(image: Blob): Promise<boolean> {
-  for (let at = 2, count = 0; count < mostSegments && at + 12 <= image.size; count++) {
-    const view = new DataView(await image.slice(at, at + 12).arrayBuffer());
-    const marker = view.getUint8(1);
+  let [from, view] = [0, new DataView(new ArrayBuffer(0))];
+  let at = 2;
+  for (let count = 0; count < mostSegments && at + segmentStart <= image.size; count++) {
+    if (at + segmentStart > from + view.byteLength) {
+      from = at;
+      view = new DataView(await image.slice(at, at + readAtOnce).arrayBuffer());
+    }
+    const here = at - from;
+    const marker = view.getUint8(here + 1);
     // "Adobe".
-    if (marker === 0xee && view.getUint32(4) === 0x41646f62) return false;
+    if (marker === 0xee && view.getUint32(here + 4) === 0x41646f62) return false;
     // A frame's header; 0xC4, 0xC8 and 0xCC are others.
     const isFrame = marker >= 0xc0 && marker <= 0xcf && ![0xc4, 0xc8, 0xcc].includes(marker);
-    if (isFrame) return view.getUint8(9) === 4;
-    if (view.getUint8(0) !== 0xff || marker === 0xda) return false;
-    at += 2 + view.getUint16(2);
+    if (isFrame) return view.getUint8(here + 9) === 4;
+    if (view.getUint8(here) !== 0xff || marker === 0xda) return false;
+    at += 2 + view.getUint16(here + 2);
   }
   return false;
 }

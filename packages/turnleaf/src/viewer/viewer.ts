@@ -285,10 +285,13 @@ export class Viewer {
   /** Returns how wide the open book is shown in a place of some size where it is not zoomed, CSS pixels. */
   #widthIn({ width, height }: PageSize): number {
     const [cssWidth = 0, cssHeight = 0, pixelRatio = 1, scale] = this.#sizes;
-    this.#stage.resize(width, height, pixelRatio, scale);
-    const { from, to } = this.#camera.lookAtRest(() => this.bounds);
-    this.#stage.resize(cssWidth, cssHeight, pixelRatio, scale);
-    return to.x - from.x;
+    // Within it, as a smaller stage would move what is zoomed.
+    return this.#camera.lookAtRest(() => {
+      this.#stage.resize(width, height, pixelRatio, scale);
+      const { from, to } = this.bounds;
+      this.#stage.resize(cssWidth, cssHeight, pixelRatio, scale);
+      return to.x - from.x;
+    });
   }
 
   /** The drags of pointers on it; replaced with every binding. */

@@ -11,13 +11,10 @@ const inLine = /^(img|svg|video|object)$/;
  * Has what a section says of pages by variables hold in columns, as what it says by itself does.
  *
  * @param body the section's body, laid out
- * @param styles the style sheets of the section
+ * @param mentions of the section's own style
  */
-export function resolveVariables(body: Element, styles: readonly string[]): void {
-  const isMarked =
-    styles.some((css) => css.includes(variableMark)) ||
-    body.querySelector(`[style*="${variableMark}"]`) !== null;
-  if (!isMarked) return;
+export function resolveVariables(body: Element, mentions: StyleMentions): void {
+  if (!mentions.has([variableMark])) return;
   const view = body.ownerDocument.defaultView as Window;
   for (const element of body.querySelectorAll<HTMLElement | SVGElement>("*")) {
     setStyles(element, pagedStyles(view.getComputedStyle(element)));

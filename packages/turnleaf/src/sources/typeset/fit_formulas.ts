@@ -64,7 +64,8 @@ function breakUp(math: HTMLElement, room: number, isVertical: boolean): void {
       // Of a table that is broken the rows stand beneath each other, and their cells follow each other.
       const display = /^m(?:table|tr|labeledtr)$/.test(localName) ? "block" : "inline";
       const isOfTable = /^m(?:tr|labeledtr|td)$/.test(localName);
-      const isBroken = isOfTable || (isWide && (isRow || isText(part)));
+      // Words and signs have no parts.
+      const isBroken = isOfTable || (isWide && (isRow || part.childElementCount === 0));
       changes.push([
         part,
         {
@@ -78,9 +79,4 @@ function breakUp(math: HTMLElement, room: number, isVertical: boolean): void {
     }
   }
   for (const [part, styles] of changes) setStyles(part, styles);
-}
-
-/** Returns whether a part of a formula is words or a sign, and has no parts. */
-function isText({ childElementCount }: Element): boolean {
-  return childElementCount === 0;
 }

@@ -4,6 +4,7 @@
  */
 
 import { fitGenerated, unfitGenerated } from "./fit_type.ts";
+import type { StyleMentions } from "./style_mentions.ts";
 import type { InitialLetter } from "./text_map.ts";
 
 /** What such letters are: one letter, number or sign with the marks before and after it. */
@@ -16,15 +17,15 @@ const initial = /^\s*(?:\p{P}\s*)*[^\s\p{P}]\p{M}*\p{P}*/u;
  * @param body the section's body, laid out
  * @param line the length of its lines, CSS pixels
  * @param page the length of a page across them, likewise; infinite if pages hang together
- * @param styles the style sheets of the section
+ * @param mentions of the section's own style
  */
 export function initialLetters(
   body: Element,
   { line, page }: { readonly line: number; readonly page: number },
-  styles: readonly string[],
+  mentions: StyleMentions,
 ): ReadonlyMap<Node, InitialLetter> {
   const initials = new Map<Node, InitialLetter>();
-  if (!styles.some((css) => css.includes("initial-letter"))) return initials;
+  if (!mentions.has(["initial-letter"])) return initials;
   const view = body.ownerDocument.defaultView as Window;
   const range = body.ownerDocument.createRange();
   const isVertical = !view.getComputedStyle(body).writingMode.startsWith("horizontal");

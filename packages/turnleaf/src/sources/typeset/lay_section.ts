@@ -164,11 +164,11 @@ export async function laySection(
     const fitted = new WeakSet<Element>();
     const fit = (): void => fitBoxes(body, { ...area, ...ends }, writingMode, fitted);
     drawControls(body);
-    resolveVariables(body, content.styles);
+    resolveVariables(body, mentions);
     const [line, across] = isVertical ? [area.height, area.width] : [area.width, area.height];
     const type = { line, page: isSliced ? Number.POSITIVE_INFINITY : across };
     fitType(body as HTMLElement, type, content.styles);
-    initials = initialLetters(body, type, content.styles);
+    initials = initialLetters(body, type, mentions);
     hideUnseen(body, flow, mentions);
     if (!isSliced) honourBreaks(body, writingMode, mentions);
     fit();
