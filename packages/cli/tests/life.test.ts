@@ -104,6 +104,9 @@ test("a page without WebAssembly shows a book on the flat, and no error", async 
 /** Books that come and go once all is compiled that they need. */
 const books = 6;
 
+/** Measurements, each of several collections, after which what is still there was left behind. */
+const mostRounds = 50;
+
 /** Bytes of heap that they may leave: what the browser compiles and learns while they run. */
 const mostHeapLeft = 240_000;
 
@@ -147,9 +150,15 @@ describe.each([
     const before = await holdingsOf(page, session);
     await comeAndGo(books);
     await end();
-    const after = await holdingsOf(page, session);
-    expect(after.nodes).toBeLessThanOrEqual(before.nodes + 5);
-    expect(after.listeners).toBeLessThanOrEqual(before.listeners + 2);
+    const [mostNodes, mostListeners] = [before.nodes + 5, before.listeners + 2];
+    let after = await holdingsOf(page, session);
+    // The browser gives the last book back some collections later than those before it.
+    for (let round = 0; round < mostRounds; round++) {
+      if (after.nodes <= mostNodes && after.listeners <= mostListeners) break;
+      after = await holdingsOf(page, session);
+    }
+    expect(after.nodes).toBeLessThanOrEqual(mostNodes);
+    expect(after.listeners).toBeLessThanOrEqual(mostListeners);
     // What so many books hold is several times as much.
     expect(after.heap - before.heap).toBeLessThan(mostHeapLeft);
     expect(after.contexts).toBe(0);
