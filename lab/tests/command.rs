@@ -73,7 +73,15 @@ fn keeps_lengths(seed: &str) {
 /// stay pressed. They lay through themselves, 5 to 11 mm deep.
 #[test]
 fn folded_leaves_that_land_through_themselves_twice_lie_pressed() {
-    lie_pressed(&["98"]);
+    lie_pressed(&["879"]);
+}
+
+/// They went through themselves before their folds were held shut in turns, and lay so.
+#[test]
+fn folded_leaves_that_stand_in_each_others_way_lie_clear_of_themselves() {
+    let figures = creased_gesture("98");
+    assert_eq!(figures["at_rest"], true);
+    assert!(figures["at_rest_in_itself_mm"].as_f64() < Some(0.1));
 }
 
 #[test]

@@ -250,6 +250,11 @@ impl Flight {
         let beyond = creased.map(|creased| &creased.beyond[..]);
         let how = (straightness, beyond.into());
         bend_into_gutter(&mut self.surface.positions, right, left, how);
+        let scale = self.scale();
+        if let Some((layers, part)) = self.leaf.drawn_shut() {
+            let points = self.surface.positions.as_chunks_mut::<3>().0;
+            layers.lay(points, part, scale);
+        }
         self.surface.update_normals();
         self.find_turned_over();
         if self.shown.is_empty() {

@@ -29,7 +29,7 @@ fn turn(book: &mut Book, from: Side) -> u32 {
     let id = book.pick_up(from, low, low + 1).unwrap();
     book.play(id, from.opposite(), 0.8);
     for frame in 0..500 {
-        if book.flights() == 0 {
+        if book.flights() == 0 && book.is_asleep() {
             return 2 * frame;
         }
         book.step(2);

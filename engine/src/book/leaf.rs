@@ -13,6 +13,7 @@ mod lead;
 mod opening;
 mod play;
 mod pressed;
+mod shut;
 #[cfg(test)]
 mod tests;
 
@@ -34,6 +35,7 @@ use crate::surface::Surface;
 use crate::turn::TurnModel;
 use course::Course;
 use opening::Opening;
+use shut::HeldShut;
 
 /// How far a released leaf's swing is looked at to choose its side, seconds.
 const LOOK_AHEAD: f32 = 0.12;
@@ -94,6 +96,8 @@ pub struct Leaf {
     flaps: CreasedOnly<Flaps>,
     /// How creases open that were pressed shut; None where none do.
     opening: CreasedOnly<Opening>,
+    /// How far its folds are held shut.
+    shut: HeldShut,
     /// Whether it is eased to where it lies pressed flat, to open its folds anew from there, and
     /// whether it has since it was last held, played or laid.
     opens_anew: bool,
@@ -164,6 +168,7 @@ impl Leaf {
             in_book: BookSpaceLeaf::new(NODES[0], NODES[1], cell),
             flaps: CreasedOnly::NONE,
             opening: CreasedOnly::NONE,
+            shut: HeldShut::default(),
             opens_anew: false,
             was_opened_anew: false,
             edge: (1..=NODES[1]).map(|row| row * NODES[0] - 1).collect(),
@@ -184,6 +189,7 @@ impl Leaf {
             return false;
         }
         self.opening = CreasedOnly::NONE;
+        self.shut = HeldShut::default();
         self.flat = self.sheet.flat_places();
         self.flaps = Flaps::of(&self.sheet).into();
         self.in_book.has_folds = false;
@@ -236,6 +242,7 @@ impl Leaf {
     pub fn lay(&mut self, side: Side) {
         self.end_opening();
         self.was_opened_anew = false;
+        self.release_shut();
         self.sheet.lay_folded(side);
         self.lie(side);
     }
@@ -326,6 +333,7 @@ impl Leaf {
         let in_book = &mut self.in_book;
         let gutter = self.gutter.as_ref().unwrap_or(gutter);
         gutter.bend(self.sheet.positions(), in_book);
+        self.shut.lay_in_book(in_book);
         let velocities = self.sheet.velocities().as_chunks::<3>().0;
         let states = in_book.velocities.iter_mut().zip(velocities);
         for ((own, v), [cos, sin]) in states.zip(&in_book.turned) {
@@ -349,7 +357,11 @@ impl Leaf {
     ) {
         self.searches += 1;
         if let (true, Some(flaps)) = (itself, self.flaps.as_ref()) {
-            flaps.touch(&mut self.sheet, self.steps);
+            if self.shut.is_stacked() {
+                self.sheet.touch(Vec::new());
+            } else {
+                flaps.touch(&mut self.sheet, self.steps);
+            }
         }
         let friction = self.sheet.settings().stock.friction as f32;
         let (flat, contacts) = self.sheet.contact_state();
@@ -439,12 +451,13 @@ impl Leaf {
     /// Steps by one tick of [`TICK`] seconds. `supported` says whether what lies
     /// under it, where it goes, is down; only then may it come to rest. `has_way` says
     /// whether no other lies upon it in its way there; only then may it be turned over.
-    pub fn step(&mut self, supported: bool, has_way: bool) {
+    /// `is_pressed` says whether another comes down upon its folds, or leaves them.
+    pub fn step(&mut self, supported: bool, has_way: bool, is_pressed: bool) {
         let before = self.turned;
         // A hand opens folds that it holds, and nothing else does.
         self.sheet
             .let_yield(self.phase == Phase::Held && self.opening.is_none());
-        if !matches!(self.phase, Phase::Resting(_)) {
+        if !matches!(self.phase, Phase::Resting(_)) && !self.hold_shut(is_pressed) {
             self.step_opening();
         }
         self.come_due();
@@ -460,6 +473,7 @@ impl Leaf {
         if let Phase::Resting(_) = self.phase {
             return;
         }
+        self.lay_shut();
         self.slow_opening();
         self.turned = self.measure_fraction();
         // Smoothed over about 30 ms: a grab's last twitch is not its throw.

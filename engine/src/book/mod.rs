@@ -35,6 +35,7 @@ mod parts_depth;
 mod phase;
 mod pile;
 mod pile_table;
+mod shut_folds;
 mod stillness;
 mod surroundings;
 #[cfg(test)]

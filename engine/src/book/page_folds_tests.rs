@@ -74,7 +74,7 @@ fn turn(book: &mut Book, from: Side) -> f32 {
     book.play(id, from.opposite(), 0.8);
     let mut strain: f32 = 0.0;
     for _ in 0..500 {
-        if book.flights() == 0 {
+        if book.flights() == 0 && book.is_asleep() {
             return strain;
         }
         book.step(2);
@@ -130,6 +130,37 @@ fn a_page_folded_as_a_letter_turns_over_and_back_and_stays_folded() {
 #[test]
 fn a_page_folded_as_a_zigzag_turns_over_and_back_and_stays_folded() {
     turns_over_and_back(&as_zigzag());
+}
+
+/// The hand that turns a folded page holds its folds shut: they neither open nor go through each
+/// other, and open only once the page lies. Not those of [`across`], which reach beyond the page.
+#[test]
+fn folds_are_held_shut_while_a_page_is_turned() {
+    for made in [in_two(), as_letter(), as_zigzag(), dog_ear()] {
+        for creases in [made.clone(), toward_verso(&made)] {
+            let mut book = book(&creases);
+            let id = book.pick_up(Side::Right, 5, 6).unwrap();
+            book.play(id, Side::Left, 0.8);
+            let (mut frames, mut shut) = (0, 0);
+            while book.flights() > 0 {
+                book.step(2);
+                book.update();
+                frames += 1;
+                let deep = depth(&book, &creases);
+                assert!(deep < 5.0 * DEEP, "{deep} m in frame {frames}");
+                let leaf = book.flights.order()[0].leaf();
+                if frames < 15 || !leaf.is_held_shut() {
+                    continue;
+                }
+                for number in 0..creases.len() {
+                    let [angle, _] = leaf.sheet().crease_angle(number).unwrap();
+                    assert!(angle.abs() > 2.8, "{angle} in frame {frames}");
+                }
+                shut += 1;
+            }
+            assert!(shut > 10, "{shut} frames");
+        }
+    }
 }
 
 #[test]

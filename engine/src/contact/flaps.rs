@@ -143,17 +143,20 @@ impl Flaps {
             .any(|triangle| triangle.part.count_ones() > 1)
     }
 
-    /// How high each node lies in the leaf pressed flat, recto up, metres: parts are stacked in the
-    /// order in which the creases fold them, the distance that they keep apart, and those that
-    /// creases divide which rest below a right angle lie side by side. Nodes on creases are at the
-    /// mean of what they join.
-    pub fn stacked(&self) -> Vec<f32> {
+    /// The creases that rest beyond a right angle, as a set of bits.
+    pub fn resting_shut(&self) -> u16 {
+        let is_shut = |(_, rest): &&(u16, f32)| rest.abs() > core::f32::consts::FRAC_PI_2;
+        let shut = self.creases.iter().filter(is_shut);
+        shut.fold(0, |set, (crease, _)| set | crease)
+    }
+
+    /// The parts, each with its place from below in the leaf pressed flat, recto up: stacked in the
+    /// order in which the creases fold them; those that creases divide which are not `shut` lie side
+    /// by side.
+    pub fn ranks(&self, shut: u16) -> Vec<(u16, usize)> {
         let mut parts: Vec<u16> = self.triangles.iter().map(|one| one.part).collect();
         parts.sort_unstable();
         parts.dedup();
-        let is_shut = |(_, rest): &&(u16, f32)| rest.abs() > core::f32::consts::FRAC_PI_2;
-        let shut = self.creases.iter().filter(is_shut);
-        let shut = shut.fold(0, |set, (crease, _)| set | crease);
         // Of each two parts that one lies upon the other, the lower and the upper.
         let mut upon = Vec::new();
         for (at, under) in parts.iter().enumerate() {
@@ -178,11 +181,19 @@ impl Flaps {
                 break;
             }
         }
+        parts.into_iter().zip(ranks).collect()
+    }
+
+    /// How high each node lies in the leaf pressed flat, recto up, metres: parts are stacked by
+    /// their [ranks](Self::ranks), the distance that they keep apart. Nodes on creases are at the
+    /// mean of what they join.
+    pub fn stacked(&self) -> Vec<f32> {
+        let ranks = self.ranks(self.resting_shut());
         let mut sums = vec![(0.0, 0.0); self.parts.len()];
         for triangle in &self.triangles {
-            let at = parts.partition_point(|part| *part < triangle.part);
+            let at = ranks.partition_point(|(part, _)| *part < triangle.part);
             for node in triangle.nodes {
-                sums[node].0 += ranks[at] as f32;
+                sums[node].0 += ranks[at].1 as f32;
                 sums[node].1 += 1.0;
             }
         }

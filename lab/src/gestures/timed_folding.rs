@@ -9,21 +9,50 @@ const TICKS: u32 = 60;
 /// A leaf that is being folded.
 pub struct TimedFolding {
     pub leaf: u32,
-    /// Where its folds will rest, radians.
-    rests: Vec<f32>,
+    /// Where its folds rested when that began, and where they will rest, radians.
+    from: Vec<f32>,
+    to: Vec<f32>,
+    /// Its creases from then on, if it has others until then.
+    after: Option<Vec<FoldLine>>,
     /// Since it was begun.
     ticks: u32,
 }
 
 impl TimedFolding {
-    /// Creases a leaf of a book along lines, flat at first, in place of its creases. None where it has
-    /// too few nodes for them; the book is then as it was.
+    /// Folds a leaf of a book along lines, in place of its folds: these keep their creases until they
+    /// are open, and are opened first where the leaf has too few nodes for both. None where it has too
+    /// few for the new ones; the book is then as it was.
     pub fn begin(book: &mut Book, leaf: u32, lines: &[FoldLine]) -> Option<TimedFolding> {
-        let flat = |line: &FoldLine| FoldLine { rest: 0.0, ..*line };
-        let is_creased = book.crease(leaf, &lines.iter().map(flat).collect::<Vec<_>>());
-        is_creased.then(|| TimedFolding {
+        let before = book.creases(leaf);
+        let is_opened = |old: &&FoldLine| !lines.iter().any(|line| line.through == old.through);
+        let opened: Vec<FoldLine> = before.iter().filter(is_opened).copied().collect();
+        let rest_before = |line: &FoldLine| {
+            let known = before.iter().find(|old| old.through == line.through);
+            known.map_or(0.0, |old| old.rest)
+        };
+        let all = lines.iter().chain(&opened);
+        let creased: Vec<FoldLine> = all
+            .map(|line| FoldLine {
+                rest: rest_before(line),
+                ..*line
+            })
+            .collect();
+        let rests = |of: &[FoldLine]| of.iter().map(|line| line.rest as f32).collect();
+        if book.crease(leaf, &creased) {
+            let to = lines.iter().map(|line| line.rest as f32);
+            return Some(TimedFolding {
+                leaf,
+                from: rests(&creased),
+                to: to.chain(opened.iter().map(|_| 0.0)).collect(),
+                after: (!opened.is_empty()).then(|| lines.to_vec()),
+                ticks: 0,
+            });
+        }
+        (!opened.is_empty()).then(|| TimedFolding {
             leaf,
-            rests: lines.iter().map(|line| line.rest as f32).collect(),
+            from: rests(&before),
+            to: vec![0.0; before.len()],
+            after: Some(lines.to_vec()),
             ticks: 0,
         })
     }
@@ -33,9 +62,31 @@ impl TimedFolding {
         self.ticks += 1;
         let part = self.ticks as f32 / TICKS as f32;
         let eased = part * part * (3.0 - 2.0 * part);
-        for (crease, rest) in self.rests.iter().enumerate() {
-            book.press(self.leaf, crease, eased * rest);
+        for (crease, (from, to)) in self.from.iter().zip(&self.to).enumerate() {
+            book.press(self.leaf, crease, from + eased * (to - from));
         }
-        self.ticks < TICKS
+        if self.ticks < TICKS {
+            return true;
+        }
+        let Some(after) = self.after.take() else {
+            return false;
+        };
+        // Folds that were opened together with new ones are done; those that were opened alone are not
+        // folded yet.
+        let is_folded = self.to.iter().any(|rest| *rest != 0.0);
+        let rest = |line: &FoldLine| if is_folded { line.rest } else { 0.0 };
+        let flat: Vec<FoldLine> = after
+            .iter()
+            .map(|line| FoldLine {
+                rest: rest(line),
+                ..*line
+            })
+            .collect();
+        if !book.crease(self.leaf, &flat) || is_folded {
+            return false;
+        }
+        (self.from, self.ticks) = (vec![0.0; after.len()], 0);
+        self.to = after.iter().map(|line| line.rest as f32).collect();
+        true
     }
 }

@@ -177,7 +177,7 @@ impl Run {
         let mut folds = |sign| self.shape.folds(random, &stock, page, sign);
         let right = folds(1.0);
         let left = folds(-1.0);
-        let again = folds(-1.0);
+        let again = folds(1.0);
         let is_alone = random.once_in(2);
         let left = if is_alone { Vec::new() } else { left };
         let (book, leaves, first) = open::open(&[left, right], stock, page);

@@ -35,7 +35,7 @@ impl Flight {
     /// it would be drawn through itself: no paper can come to lie so, and contact between its parts
     /// does not bring it out any more.
     pub fn open_where_through_itself(&mut self) {
-        if !self.is_creased() || !self.leaf.has_landed() {
+        if !self.is_creased() || !self.leaf.has_landed() || self.leaf.is_held_shut() {
             return;
         }
         let work = &mut Work::new(u32::MAX);

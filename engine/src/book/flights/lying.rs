@@ -193,18 +193,21 @@ impl Flights {
 
     /// Whether flight `index` is creased and another comes down upon it or leaves it.
     pub(super) fn is_pressed(&self, index: usize) -> bool {
+        let is_creased = self.order[index].leaf().is_creased();
+        is_creased && self.upon(index).is_some_and(|over| !over.leaf().is_down())
+    }
+
+    /// The flight that lies upon flight `index`, or nearly.
+    pub(super) fn upon(&self, index: usize) -> Option<&Flight> {
         let own = &self.order[index];
-        let over = match own.phase().side() {
-            Some(Side::Right) => index.checked_sub(1).and_then(|over| self.order.get(over)),
-            Some(Side::Left) => self.order.get(index + 1),
-            None => None,
+        let over = match own.phase().side()? {
+            Side::Right => self.order.get(index.checked_sub(1)?)?,
+            Side::Left => self.order.get(index + 1)?,
         };
-        let apart =
-            |over: &Flight| (over.leaf().fraction_turned() - own.leaf().fraction_turned()).abs();
-        own.leaf().is_creased()
-            && over.is_some_and(|over| !over.leaf().is_down() && apart(over) < NEAR)
+        let apart = over.leaf().fraction_turned() - own.leaf().fraction_turned();
+        (apart.abs() < NEAR).then_some(over)
     }
 }
 
 /// Part of the half turn within which a leaf comes near to the folds of another.
-const NEAR: f32 = 0.3;
+const NEAR: f32 = 0.5;

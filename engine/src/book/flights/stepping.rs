@@ -58,6 +58,7 @@ impl Flights {
         let work = self.order.iter_mut().map(Flight::take_work);
         self.tick_work = work.fold(0, u32::saturating_add);
         self.join_piles();
+        self.let_folds_open();
     }
 
     /// Keeps grabs from pulling what they hold through the leaves beside it: they
@@ -93,6 +94,7 @@ impl Flights {
         let supported = self.is_supported(index);
         let is_held_up = self.lies_upon_folds(index);
         let has_way = self.has_way(index);
+        let is_pressed = self.is_pressed(index);
         let (own, [left, right]) = self.among(index);
         let leaf = own.leaf_mut();
         if matches!(leaf.phase(), Phase::Resting(_)) {
@@ -105,7 +107,7 @@ impl Flights {
         let right = right.map(|flight| neighbour_of(flight, firm[1]));
         leaf.detect_contacts(piles, [left, right], true);
         leaf.set_held_up(is_held_up);
-        leaf.step(supported, has_way);
+        leaf.step(supported, has_way, is_pressed);
         leaf.bend_into_gutter(gutter);
     }
 
@@ -236,10 +238,22 @@ impl Flights {
     /// Wakes leaves that rest upon others that move.
     fn wake(&mut self) {
         for index in 0..self.order.len() {
-            if matches!(self.order[index].phase(), Phase::Resting(_))
-                && (!self.is_supported(index) || self.is_pressed(index))
-            {
+            let own = &self.order[index];
+            let rests = matches!(own.phase(), Phase::Resting(_));
+            let is_pressed = !own.leaf().is_held_shut() && self.is_pressed(index);
+            if rests && (!self.is_supported(index) || is_pressed) {
                 self.order[index].leaf_mut().wake();
+            }
+        }
+    }
+
+    /// Lets folds open that were held shut, of leaves that lie and upon which nothing is any more.
+    fn let_folds_open(&mut self) {
+        for index in 0..self.order.len() {
+            let own = &self.order[index];
+            let rests = own.lies() && matches!(own.phase(), Phase::Resting(_));
+            if rests && own.leaf().is_held_shut() && self.upon(index).is_none() {
+                self.order[index].leaf_mut().open_shut();
             }
         }
     }

@@ -76,14 +76,16 @@ impl Leaf {
         self.lead(side);
         self.step_sheet();
         self.fallen += 1;
-        let landed = if self.may_be_held_up() {
+        let landed = if self.may_be_held_up() && !self.is_held_shut() {
             self.lies_held_up(side)
         } else {
             let slow = SLOW * self.slowness() / self.paper.scale as f32;
             let is_slow = self.sheet.greatest_speed() < slow;
             let height = self.height_over_rest(side);
             let is_near = height < NEAR * self.sheet.settings().width as f32;
-            is_slow && is_near || self.is_put_down(side, height, is_slow)
+            is_slow && is_near
+                || self.is_put_down(side, height, is_slow)
+                || self.is_held_up && self.lies_held_up(side)
         };
         if supported && (landed || self.is_overdue()) {
             self.landed.copy_from_slice(self.sheet.positions());
@@ -143,7 +145,7 @@ impl Leaf {
         let is_led = self.due.is_some_and(|due| due > 0.0);
         self.may_be_held_up()
             && !is_led
-            && self.opening.is_none()
+            && (self.opening.is_none() || self.is_held_shut())
             && (self.lies_still() || self.is_slow())
     }
 
@@ -152,7 +154,9 @@ impl Leaf {
     /// whose shape is not known beforehand, it is lowered about the spine as it is.
     fn find_rest(&mut self, side: Side, landed: bool) {
         self.lowering = 0.0;
-        if !self.sheet.is_creased() {
+        if self.is_held_shut() {
+            self.find_shut_rest(side);
+        } else if !self.sheet.is_creased() {
             for (k, (rest, flat)) in self.rest.iter_mut().zip(&self.flat).enumerate() {
                 *rest = if k % 3 == 0 {
                     side.sign() * flat
@@ -224,7 +228,8 @@ impl Leaf {
 
     /// Greatest distance of a node from its place of rest on a side, metres.
     fn height_over_rest(&self, side: Side) -> f32 {
-        let states = self.sheet.positions().iter().zip(&self.flat);
+        let flat = self.shut_places().unwrap_or(&self.flat);
+        let states = self.sheet.positions().iter().zip(flat);
         let apart = states.enumerate().map(|(k, (x, flat))| {
             let rest = if k % 3 == 0 {
                 side.sign() * flat

@@ -108,7 +108,7 @@ impl Leaf {
         let slowing = drag * height * square * square / 4.0 * rate * rate.abs();
         let torque = bounded(inertia * wanted + slowing - sign * fall, -most, most);
         // Held from below its folds would fall open.
-        let torque = if self.sheet.is_creased() {
+        let torque = if self.sheet.is_creased() && !self.is_held_shut() {
             torque.max(0.0)
         } else {
             torque

@@ -53,12 +53,21 @@ impl Opening {
         Some(rests.map(|(from, to)| from + (to - from) * eased).collect())
     }
 
+    /// Returns the angle at which each crease rests once it is a part of the way, 0 to 1, back to
+    /// where it was pressed to, and is to open from there.
+    pub fn shut(&mut self, part: f32) -> Vec<f32> {
+        self.ticks = 0;
+        let rests = self.from.iter().zip(&self.to);
+        rests.map(|(from, to)| to + (from - to) * part).collect()
+    }
+
     /// Part of its speed that the leaf keeps in a tick.
     pub fn kept_speed(&self) -> f32 {
         KEPT_SPEED + self.part() * (1.0 - KEPT_SPEED)
     }
 
-    fn part(&self) -> f32 {
+    /// How far it has opened, 0 to 1.
+    pub fn part(&self) -> f32 {
         self.ticks as f32 / OPENING as f32
     }
 }

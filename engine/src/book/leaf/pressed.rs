@@ -14,6 +14,7 @@ impl Leaf {
     pub fn lay_pressed(&mut self, side: Side) {
         self.end_opening();
         self.was_opened_anew = false;
+        self.release_shut();
         let creases = self.sheet.creases();
         let to: Vec<f32> = creases.iter().map(|crease| crease.rest as f32).collect();
         let from = self.press_flat(side);
@@ -135,7 +136,7 @@ impl Leaf {
 
     /// Slows the leaf at the end of a tick while its creases open and nothing but its weight moves it.
     pub(super) fn slow_opening(&mut self) {
-        let is_left_alone = matches!(self.phase, Phase::Falling(_));
+        let is_left_alone = matches!(self.phase, Phase::Falling(_)) && !self.shut.is_held();
         if let Some(opening) = self.opening.as_ref().filter(|_| is_left_alone) {
             self.sheet.slow(opening.kept_speed());
         }
@@ -150,7 +151,7 @@ impl Leaf {
         }
     }
 
-    fn press_to(&mut self, crease: usize, rest: f32) {
+    pub(super) fn press_to(&mut self, crease: usize, rest: f32) {
         self.sheet.press(crease, rest);
         if let Some(flaps) = self.flaps.as_mut() {
             flaps.press(crease, rest);

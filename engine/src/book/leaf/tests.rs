@@ -632,7 +632,7 @@ fn a_leaf_folded_upon_its_folds_that_stays_upright_is_put_down_on_its_side() {
         leaf.fallen = 1000;
         let mut strain = 0.0f32;
         for _ in 0..60 {
-            leaf.step(true, false);
+            leaf.step(true, false, false);
             strain = strain.max(leaf.sheet.max_edge_strain());
         }
         assert_eq!(leaf.phase(), Phase::Resting(side));

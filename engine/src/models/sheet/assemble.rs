@@ -99,7 +99,7 @@ impl Sheet {
             let (n, v, mass) = (self.normals[node], v[node], self.mass[node]);
             let (along, blowing) = (dot(n, v), dot(n, wind));
             let carried = self.air_mass[node] / h;
-            let resistance = drag * mass * (along - blowing).abs();
+            let resistance = drag * self.drag_mass[node] * (along - blowing).abs();
             let push = carried * along + resistance * blowing;
             let inertia = mass / h;
             self.system.push(

@@ -17,6 +17,9 @@ use crate::grid::Side;
 use crate::paper_mesh::PaperMesh;
 use core::f64::consts::PI;
 
+/// Part of its weight and of its stiffness that is left to paper that is carried by other paper.
+const CARRIED: f32 = 0.02;
+
 impl Sheet {
     /// Creases the sheet along lines, in place of those along which it was creased before:
     /// it stays where it is, its nodes moved along it onto the lines. Edges that reach over a
@@ -51,7 +54,7 @@ impl Sheet {
     }
 
     /// Moves the nodes until every edge has its length, where one has not.
-    fn restore_lengths(&mut self) {
+    pub(crate) fn restore_lengths(&mut self) {
         if self.max_edge_strain() > TOLERANCE {
             self.sweep.run(&mut self.positions, &[]);
         }
@@ -173,6 +176,63 @@ impl Sheet {
         self.restore_lengths();
         self.expect_rests();
         creases.iter().map(|crease| crease.rest as f32).collect()
+    }
+
+    /// Where its nodes and its drawn points lie in the plane of the flat sheet, metres, with creases
+    /// of a set of bits shut and the others flat. None of a sheet that is not creased.
+    pub(crate) fn folded_flat(&self, shut: u16) -> Option<[Vec<[f32; 2]>; 2]> {
+        let creased = self.creased()?;
+        let drawn = &creased.patches.as_ref()?.drawn;
+        let lines = creased.lines.iter().enumerate();
+        let lines: Vec<FoldLine> = lines
+            .map(|(crease, line)| FoldLine {
+                rest: if shut >> crease & 1 == 1 { PI } else { 0.0 },
+                ..*line
+            })
+            .collect();
+        Some([&self.material, drawn].map(|material| {
+            let places = fold_flat(material, &lines).into_iter();
+            places.map(|[x, y, _]| [x as f32, y as f32]).collect()
+        }))
+    }
+
+    /// Has the part next to the spine weigh and bend as all that lies upon it while creases of a set
+    /// of bits are shut, and that hardly at all: it goes where the part next to the spine goes.
+    /// `carried` are the nodes there, each with the nodes and the weights by which it is carried.
+    pub(crate) fn stack(
+        &mut self,
+        shut: u16,
+        carried: impl Iterator<Item = (usize, [usize; 3], [f32; 3])>,
+    ) {
+        for (node, by, weights) in carried {
+            let mass = (1.0 - CARRIED) * self.mass[node];
+            self.mass[node] -= mass;
+            for (by, weight) in by.into_iter().zip(weights) {
+                self.mass[by] += weight * mass;
+            }
+            (self.air_mass[node], self.drag_mass[node]) = (0.0, 0.0);
+            self.sweep.lighten(node, 1.0 / CARRIED);
+        }
+        self.weigh_masses();
+        let material = &self.material;
+        if let Some(creased) = self.creased.as_mut() {
+            let layers = layers(material, &creased.lines, shut);
+            creased.hinges.stiffen(|corners| match layers(corners) {
+                0 => CARRIED,
+                layers => layers as f32,
+            });
+        }
+    }
+
+    /// Has each part weigh and bend by itself again.
+    pub(crate) fn unstack(&mut self) {
+        self.weigh();
+        for node in 0..self.mass.len() {
+            self.sweep.release(&self.settings, &self.material, node);
+        }
+        if let Some(creased) = self.creased.as_mut() {
+            creased.hinges.relieve();
+        }
     }
 
     /// Whether some of it that lies below what is next to the spine, as `heights` say with the
@@ -386,6 +446,47 @@ fn fold_flat(material: &Material, creases: &[FoldLine]) -> Vec<[f64; 3]> {
         at
     });
     places.collect()
+}
+
+/// How many layers lie at a triangle of a creased material whose creases of a set of bits are shut,
+/// it among them; 0 where it lies upon another.
+fn layers<'a>(
+    material: &'a Material,
+    creases: &[FoldLine],
+    shut: u16,
+) -> impl Fn([usize; 3]) -> usize + 'a {
+    let rest = |crease: usize| if shut >> crease & 1 == 1 { PI } else { 0.0 };
+    let lines = creases.iter().enumerate();
+    let lines: Vec<FoldLine> = lines
+        .map(|(crease, line)| FoldLine {
+            rest: rest(crease),
+            ..*line
+        })
+        .collect();
+    let places = fold_flat(material, &lines);
+    let turns = turns(material, &lines);
+    let over = triangles(material, &lines).into_iter();
+    let over: Vec<[[f64; 3]; 3]> = over
+        .filter(|(_, part)| part & shut != 0)
+        .map(|(corners, _)| corners.map(|corner| places[corner]))
+        .collect();
+    move |corners| {
+        let of = corners.map(|corner| material.places[corner]);
+        let middle = [0, 1].map(|axis| (of[0][axis] + of[1][axis] + of[2][axis]) / 3.0);
+        let mut beyond = turns.iter().filter(|turn| turn.reach(middle) > 0.0);
+        if beyond.any(|turn| shut >> turn.crease & 1 == 1) {
+            return 0;
+        }
+        let covers = |corners: &&[[f64; 3]; 3]| {
+            let [a, b, c] = [0, 1, 2].map(|k| {
+                let [from, to] = [corners[k], corners[(k + 1) % 3]];
+                (to[0] - from[0]) * (middle[1] - from[1])
+                    > (to[1] - from[1]) * (middle[0] - from[0])
+            });
+            a == b && b == c
+        };
+        1 + over.iter().filter(covers).count()
+    }
 }
 
 /// The triangles of a creased material, each with the creases that it lies beyond.

@@ -22,7 +22,7 @@ const TWO: [[usize; 2]; 3] = [[1, 0], [2, 0], [2, 1]];
 /// A triangle with its corners in rising order.
 #[derive(Clone, Debug)]
 pub(super) struct HingeTriangle {
-    corners: [usize; 3],
+    pub corners: [usize; 3],
     /// Across each of its hinges.
     apexes: [usize; 3],
     /// Its hinges; one that there is not is another, whose slopes are zero.
@@ -30,7 +30,7 @@ pub(super) struct HingeTriangle {
     /// Which vertex of each hinge each corner is, and the apex.
     vertices: [[u8; 4]; 3],
     /// Energy is half of the angles' product with this, N m.
-    stiffness: [[f32; 3]; 3],
+    pub stiffness: [[f32; 3]; 3],
     /// Where each pair's block begins in the matrix.
     places: [u32; PAIRS],
     /// For each apex a bit for each corner that comes after it.

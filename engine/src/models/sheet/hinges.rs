@@ -54,6 +54,8 @@ pub(super) struct Hinges {
     /// For each four hinges and each of their vertices 1 where that moves, else 0.
     moves: Vec<[Four; 4]>,
     triangles: Vec<HingeTriangle>,
+    /// Stiffness of each triangle by itself while it is [stiffened](Self::stiffen).
+    single: Vec<[[f32; 3]; 3]>,
     folds: Vec<Fold>,
     /// Folds' hinges, in fours; the last is repeated.
     folded: Vec<[Hinge; 4]>,
@@ -77,6 +79,7 @@ impl Hinges {
             hinges: Vec::new(),
             moves: Vec::new(),
             triangles: Vec::new(),
+            single: Vec::new(),
             folds: Vec::new(),
             folded: Vec::new(),
             places: vec![Four::splat(0.0); nodes + material.rows],
@@ -128,6 +131,24 @@ impl Hinges {
         hinges.slopes = vec![[Four::splat(0.0); 4]; all];
         hinges.moments = vec![0.0; all];
         hinges
+    }
+
+    /// Has triangles be so many times as stiff as they are, by their corners, until they are
+    /// [relieved](Self::relieve).
+    pub fn stiffen(&mut self, times: impl Fn([usize; 3]) -> f32) {
+        self.relieve();
+        for triangle in &mut self.triangles {
+            let times = times(triangle.corners);
+            self.single.push(triangle.stiffness);
+            triangle.stiffness = triangle.stiffness.map(|row| row.map(|one| times * one));
+        }
+    }
+
+    /// Has triangles be as stiff as each is by itself.
+    pub fn relieve(&mut self) {
+        for (triangle, single) in self.triangles.iter_mut().zip(self.single.drain(..)) {
+            triangle.stiffness = single;
+        }
     }
 
     /// Finds where in the matrix of a system its triangles add.

@@ -93,6 +93,8 @@ pub struct Sheet {
     /// Kilograms of each node, and of the air it carries along its normal.
     mass: Vec<f32>,
     air_mass: Vec<f32>,
+    /// Kilograms of the paper by which the air drags at each node.
+    drag_mass: Vec<f32>,
     /// Weight of each node, N: x, y, z.
     weight: Vec<f32>,
     /// Other constant forces, N: x, y, z of each node.
@@ -153,6 +155,7 @@ impl Sheet {
         let mut sheet = Sheet {
             h,
             air_mass: vec![0.0; nodes],
+            drag_mass: vec![0.0; nodes],
             mass: vec![0.0; nodes],
             weight: vec![0.0; 3 * nodes],
             loads: vec![0.0; 3 * nodes],
@@ -193,13 +196,21 @@ impl Sheet {
 
     /// Finds what each node weighs.
     fn weigh(&mut self) {
-        let gravity = self.settings.gravity.map(|g| g as f32);
         for node in 0..self.mass.len() {
             let area = self.material.area_at(node);
             self.mass[node] = (self.settings.stock.grammage * area) as f32;
             self.air_mass[node] = (self.settings.air.added_mass * area) as f32;
-            for (axis, g) in gravity.iter().enumerate() {
-                self.weight[3 * node + axis] = self.mass[node] * g;
+        }
+        self.drag_mass.copy_from_slice(&self.mass);
+        self.weigh_masses();
+    }
+
+    /// Finds the weight of each node's mass.
+    fn weigh_masses(&mut self) {
+        let gravity = self.settings.gravity.map(|g| g as f32);
+        for (weight, mass) in self.weight.chunks_exact_mut(3).zip(&self.mass) {
+            for (weight, g) in weight.iter_mut().zip(gravity) {
+                *weight = mass * g;
             }
         }
     }
@@ -208,7 +219,7 @@ impl Sheet {
     pub fn set_gravity(&mut self, gravity: [f64; 3]) {
         if gravity.iter().all(|g| g.is_finite()) {
             self.settings.gravity = gravity;
-            self.weigh();
+            self.weigh_masses();
         }
     }
 
@@ -359,6 +370,11 @@ impl Sheet {
     /// Positions and masses of the nodes, with the loads to be set according to them.
     pub(crate) fn load_state(&mut self) -> (&[f32], &[f32], &mut [f32]) {
         (&self.positions, &self.mass, &mut self.loads)
+    }
+
+    /// Positions and velocities of the nodes, to be changed.
+    pub(crate) fn states_mut(&mut self) -> [&mut [[f32; 3]]; 2] {
+        [&mut self.positions, &mut self.velocities].map(|values| values.as_chunks_mut::<3>().0)
     }
 
     /// Positions, with the contacts to be set according to them.

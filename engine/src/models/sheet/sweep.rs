@@ -191,6 +191,12 @@ impl Sweep {
         self.chains = None;
     }
 
+    /// Has a node move so many times as easily as it does, until it is [released](Self::release).
+    pub fn lighten(&mut self, node: usize, times: f32) {
+        self.mobility[self.nodes.at(node)] *= times;
+        self.chains = None;
+    }
+
     /// Sweeps until every edge has its length, or as often as there is time for. Returns
     /// how often.
     pub fn run(&mut self, positions: &mut [f32], contacts: &[[Contact; CONTACTS]]) -> u32 {

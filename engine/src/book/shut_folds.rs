@@ -1,0 +1,338 @@
+//! A creased leaf whose folds are held shut: what is folded over lies along what it is folded onto.
+//!
+//! A hand that turns a folded page keeps its folds shut. Parts that lie upon each other all the way
+//! are then one packet that bends as the part next to the spine does, so none of them can come
+//! through another: each of their points has a place over that part, found once for the flat paper.
+
+use super::leaf::Leaf;
+use crate::contact::flaps::{Flaps, PARTS_GAP};
+use crate::contact::tolerance::ROOM_FROM_SPINE;
+use crate::triangle::{Triangle, area_normal, nearest_weights, place_of};
+use crate::vector::{dot, sub, unit};
+
+/// Part of the page's width by which what is folded over may reach beyond the spine or another edge
+/// of what it lies upon. What reaches beyond the spine is pressed together before it, where it is not
+/// seen; what reaches farther lies upon the page across, and cannot be held shut with its own.
+const OVERHANG: f32 = 0.05;
+
+/// Part of the page's width from the spine in which it is pressed together.
+const PRESSED: f32 = 0.45;
+
+/// By so much of the page's width shut folds may be longer or shorter than the paper: creases that
+/// cross each other, and cannot all be shut, miss by more.
+const TRUE_TO_PAPER: f32 = 1e-4;
+
+/// Where the points of a creased leaf lie while its folds are shut.
+#[derive(Clone, Debug)]
+pub struct ShutFolds {
+    /// Those of its nodes, and of what is drawn of it.
+    pub nodes: Layers,
+    pub drawn: Layers,
+    /// Where its nodes are once it lies flat on the right, x, y, z of each, metres.
+    pub places: Vec<f32>,
+}
+
+impl ShutFolds {
+    /// Those of a leaf; `None` where no fold is to be shut, or none can.
+    pub fn of(leaf: &Leaf) -> Option<ShutFolds> {
+        let flaps = leaf.flaps()?;
+        let sheet = leaf.sheet();
+        let [width, height] = [sheet.settings().width, sheet.settings().height].map(|x| x as f32);
+        let shut = flaps.resting_shut();
+        if shut == 0 {
+            return None;
+        }
+        let [places, drawn_places] = sheet.folded_flat(shut)?;
+        let mesh = sheet.paper_mesh()?;
+        let flat: Vec<[f32; 2]> = (sheet.flat_places().as_chunks::<3>().0.iter())
+            .map(|[x, y, _]| [*x, *y])
+            .collect();
+        let drawn_flat: Vec<[f32; 2]> = (mesh.places.iter())
+            .map(|[u, v]| [u * width, v * height])
+            .collect();
+        let drawn: Vec<_> = mesh.parted_triangles().collect();
+        let lie = |flat: &[[f32; 2]], places: &[[f32; 2]], triangles: &[([usize; 3], u16)]| {
+            Layers::of(flat, places, triangles, (flaps, shut), width)
+        };
+        Some(ShutFolds {
+            nodes: lie(&flat, &places, &sheet.node_triangles())?,
+            drawn: lie(&drawn_flat, &drawn_places, &drawn)?,
+            places: places.iter().flat_map(|[x, y]| [*x, *y, 0.0]).collect(),
+        })
+    }
+}
+
+/// A point that lies over a triangle: its number, and the corners and its weights there.
+pub type Carried = (usize, [usize; 3], [f32; 3]);
+
+/// Points that lie over others.
+#[derive(Clone, Debug)]
+pub struct Layers {
+    over: Vec<Over>,
+    /// The triangles that nothing shut lies between and the spine.
+    base: Vec<[usize; 3]>,
+    points: usize,
+}
+
+/// A point that lies over a triangle.
+#[derive(Clone, Copy, Debug)]
+struct Over {
+    point: usize,
+    corners: [usize; 3],
+    weights: [f32; 3],
+    /// Layers from the triangle, on the side of its recto or, below 0, of its verso; the less, the nearer
+    /// to the spine, where all that fly meet in one line.
+    layers: f32,
+}
+
+impl Over {
+    /// Where it lies so far over its triangle, metres, and the normal there.
+    fn place(&self, points: &[[f32; 3]], normals: &[[f32; 3]], height: f32) -> [f32; 3] {
+        let at = place_of(self.weights, self.corners.map(|corner| points[corner]));
+        let normals = self.corners.map(|corner| unit(normals[corner]));
+        let normal = unit(place_of(self.weights, normals));
+        core::array::from_fn(|axis| at[axis] + height * normal[axis])
+    }
+}
+
+impl Layers {
+    /// Those of points that are at `flat` on the paper, and at `places` once folds are shut, metres;
+    /// of triangles, each with its part.
+    fn of(
+        flat: &[[f32; 2]],
+        places: &[[f32; 2]],
+        triangles: &[([usize; 3], u16)],
+        (flaps, shut): (&Flaps, u16),
+        width: f32,
+    ) -> Option<Layers> {
+        let ranks = flaps.ranks(shut);
+        let rank_of = |part: u16| {
+            let at = ranks.partition_point(|(known, _)| *known < part);
+            ranks.get(at).map_or(0.0, |(_, rank)| *rank as f32)
+        };
+        let is_base = |part: &u16| part & shut == 0;
+        let mut is_over = vec![true; flat.len()];
+        // Sum and number of the ranks of what a point belongs to.
+        let mut of_point = vec![[0.0f32; 2]; flat.len()];
+        let apart = |points: &[[f32; 2]], a: usize, b: usize| {
+            let [x, y] = [0, 1].map(|axis| points[b][axis] - points[a][axis]);
+            (x * x + y * y).sqrt()
+        };
+        for (corners, part) in triangles {
+            for (k, &corner) in corners.iter().enumerate() {
+                let next = corners[(k + 1) % 3];
+                let off = apart(flat, corner, next) - apart(places, corner, next);
+                if off.abs() > TRUE_TO_PAPER * width {
+                    return None;
+                }
+                is_over[corner] &= !is_base(part);
+                of_point[corner][0] += rank_of(*part);
+                of_point[corner][1] += 1.0;
+            }
+        }
+        let base: Vec<([usize; 3], u16)> = triangles
+            .iter()
+            .filter(|(_, part)| is_base(part))
+            .copied()
+            .collect();
+        // What reaches beyond the spine is pressed together evenly.
+        let most = OVERHANG * width;
+        let room = PRESSED * width;
+        let beyond = places.iter().fold(0.0, |most: f32, [x, _]| most.max(-x));
+        if beyond > most {
+            return None;
+        }
+        let mut over = Vec::new();
+        for point in (0..flat.len()).filter(|point| is_over[*point]) {
+            let [mut x, y] = places[point];
+            if x < room {
+                x = (x + beyond) * room / (room + beyond);
+            }
+            let at = [x, y, 0.0];
+            let mut nearest = (f32::MAX, 0);
+            for (number, (corners, _)) in base.iter().enumerate() {
+                let corners = corners.map(|corner| [flat[corner][0], flat[corner][1], 0.0]);
+                let beside = |axis: usize| {
+                    let [a, b, c] = corners.map(|corner| corner[axis]);
+                    (a.min(b).min(c) - at[axis])
+                        .max(at[axis] - a.max(b).max(c))
+                        .max(0.0)
+                };
+                let [u, v] = [beside(0), beside(1)];
+                if u * u + v * v >= nearest.0 {
+                    continue;
+                }
+                let away = sub(at, place_of(nearest_weights(at, corners), corners));
+                let square = dot(away, away);
+                if square < nearest.0 {
+                    nearest = (square, number);
+                }
+                if square == 0.0 {
+                    break;
+                }
+            }
+            if nearest.0 > most * most {
+                return None;
+            }
+            let (corners, part) = *base.get(nearest.1)?;
+            let triangle = corners.map(|corner| [flat[corner][0], flat[corner][1], 0.0]);
+            let [sum, count] = of_point[point];
+            let rank = sum / count.max(1.0) - rank_of(part);
+            let apart = (x / ROOM_FROM_SPINE).min(1.0);
+            over.push(Over {
+                point,
+                corners,
+                weights: Triangle::of(triangle, 1.0).weights(at),
+                layers: rank * apart,
+            });
+        }
+        Some(Layers {
+            over,
+            base: base.into_iter().map(|(corners, _)| corners).collect(),
+            points: flat.len(),
+        })
+    }
+
+    /// Brings points a part of the way, 0 to 1, to where they lie, on a page `scale` times as wide as usual.
+    pub fn lay(&self, points: &mut [[f32; 3]], part: f32, scale: f32) {
+        let normals = self.normals(points);
+        for over in &self.over {
+            let to = over.place(points, &normals, scale * over.layers * PARTS_GAP);
+            let own = &mut points[over.point];
+            for axis in 0..3 {
+                own[axis] += part * (to[axis] - own[axis]);
+            }
+        }
+    }
+
+    /// At each point the sum of the normals of the triangles below.
+    fn normals(&self, points: &[[f32; 3]]) -> Vec<[f32; 3]> {
+        debug_assert_eq!(points.len(), self.points);
+        let mut normals = vec![[0.0f32; 3]; points.len()];
+        for corners in &self.base {
+            let normal = area_normal(corners.map(|corner| points[corner]));
+            for corner in corners {
+                for axis in 0..3 {
+                    normals[*corner][axis] += normal[axis];
+                }
+            }
+        }
+        normals
+    }
+
+    /// The points that lie over others, each with the corners and the weights of what it lies over.
+    pub fn carried(&self) -> impl Iterator<Item = Carried> {
+        let over = self.over.iter();
+        over.map(|over| (over.point, over.corners, over.weights))
+    }
+
+    /// Brings what nodes have, such as velocities, a part of the way, 0 to 1, to what those have that they
+    /// lie over.
+    pub fn follow<const N: usize>(&self, values: &mut [[f32; N]], part: f32) {
+        for over in &self.over {
+            let of = over.corners.map(|corner| values[corner]);
+            let own = &mut values[over.point];
+            for axis in 0..N {
+                let to: f32 = (0..3).map(|k| over.weights[k] * of[k][axis]).sum();
+                own[axis] += part * (to - own[axis]);
+            }
+        }
+    }
+}
+
+#[cfg(all(test, feature = "creases"))]
+mod tests {
+    use super::*;
+    use crate::book::limits::NODES;
+    use crate::book::paper::Paper;
+    use crate::book::pile::crowded_columns;
+    use crate::models::sheet::FoldLine;
+    use crate::stock::Stock;
+
+    const PAGE: [f64; 2] = [0.14, 0.21];
+
+    fn fold(from: [f64; 2], to: [f64; 2], degrees: f64) -> FoldLine {
+        FoldLine::pressed([from, to], degrees.to_radians(), &Stock::BOOK, PAGE[0])
+    }
+
+    fn along(u: f64, degrees: f64) -> FoldLine {
+        fold([u, 0.0], [u, 1.0], degrees)
+    }
+
+    /// A leaf that lies flat on the right, creased.
+    fn leaf(creases: &[FoldLine]) -> Leaf {
+        let u = crowded_columns(49);
+        let mut leaf = Leaf::new(PAGE, &Paper::default(), 0.0, (&u, 25));
+        assert!(leaf.crease(creases));
+        leaf
+    }
+
+    /// Each part of a letter lies a layer over the one that it is folded onto, and where the flat paper
+    /// is folded to, but for what is pressed together next to the spine.
+    #[test]
+    fn layers_lie_upon_each_other_where_the_paper_is_folded_to() {
+        for sign in [1.0f32, -1.0] {
+            let leaf = leaf(&[
+                along(0.4, f64::from(sign) * 160.0),
+                along(0.7, f64::from(sign) * 170.0),
+            ]);
+            let folds = ShutFolds::of(&leaf).expect("a letter can be shut");
+            let flat = leaf.sheet().flat_places();
+            let flat = flat.as_chunks::<3>().0;
+            let mut points = flat.to_vec();
+            folds.nodes.lay(&mut points, 1.0, 1.0);
+            let places = folds.places.as_chunks::<3>().0;
+            let least = OVERHANG * PAGE[0] as f32;
+            let mut found = [0; 3];
+            for (node, ([x, y, z], place)) in points.iter().zip(places).enumerate() {
+                let u = flat[node][0] / PAGE[0] as f32;
+                if place[0] > least && node % NODES[0] > 0 {
+                    assert!((x - place[0]).abs() < 1e-5, "{x} for {}", place[0]);
+                }
+                assert!((y - place[1]).abs() < 1e-5, "{y} for {}", place[1]);
+                // The outer part lies between the others.
+                let layers = if u > 0.72 {
+                    1.0
+                } else if u > 0.42 && u < 0.68 {
+                    2.0
+                } else if u < 0.38 {
+                    0.0
+                } else {
+                    continue;
+                };
+                if place[0] > least {
+                    found[layers as usize] += 1;
+                    assert!((z - sign * layers * PARTS_GAP).abs() < 1e-6, "{z} at {u}");
+                }
+            }
+            assert!(found.iter().all(|count| *count > 10), "{found:?}");
+        }
+    }
+
+    #[test]
+    fn what_reaches_far_beyond_the_spine_or_crosses_is_not_shut() {
+        assert!(ShutFolds::of(&leaf(&[along(0.48, 160.0)])).is_some());
+        assert!(ShutFolds::of(&leaf(&[along(0.35, 160.0)])).is_none());
+        let slanted = fold([0.2, 0.0], [1.0, 0.8], 160.0);
+        assert!(ShutFolds::of(&leaf(&[along(0.55, 160.0), slanted])).is_none());
+        // What is folded by less than a right angle stays as it is.
+        assert!(ShutFolds::of(&leaf(&[along(0.6, 80.0)])).is_none());
+    }
+
+    /// Nodes that are carried weigh on those that carry them, until each weighs by itself again.
+    #[test]
+    fn what_is_carried_weighs_on_what_carries_it() {
+        let leaf = leaf(&[along(0.4, 160.0), along(0.7, 170.0)]);
+        let layers = ShutFolds::of(&leaf).expect("a letter can be shut").nodes;
+        let mut sheet = leaf.sheet().clone();
+        let before = sheet.masses().to_vec();
+        let sum = |masses: &[f32]| masses.iter().sum::<f32>();
+        sheet.stack(0b11, layers.carried());
+        assert!((sum(sheet.masses()) / sum(&before) - 1.0).abs() < 1e-5);
+        for (node, ..) in layers.carried() {
+            assert!(sheet.masses()[node] < 0.05 * before[node]);
+        }
+        sheet.unstack();
+        assert_eq!(sheet.masses(), before);
+    }
+}
