@@ -163,6 +163,10 @@ impl Leaf {
                 point[2] -= lowest;
             }
         }
+        // What is pressed together before the spine keeps its lengths.
+        self.sheet.place(self.rest.iter().copied());
+        self.rest.copy_from_slice(self.sheet.positions());
+        self.sheet.put_back(&self.landed);
     }
 
     fn is_to_be_shut(&self, is_pressed: bool) -> bool {
