@@ -1,12 +1,12 @@
 /** How paper looks where it is torn: the shader of paper draws it so, and its shadow ends there. Lengths in metres. */
 export const tornEdge = {
   /**
-   * The line of the edge, waves upon waves: how deep they are at most, and how far apart they turn.
+   * The line of the edge, a coarse and a fine noise: how deep each is at most, and how far its values are apart.
    * Across a page the line wanders by half of both depths to either side of the tear, and so less than
    * `BEYOND` of the engine's `models/sheet/torn.rs`, by which either piece is drawn beyond it.
    */
-  waves: { depth: 0.0012, apart: 0.005 },
-  teeth: { depth: 0.0005, apart: 0.0009 },
+  coarse: { depth: 0.0012, apart: 0.005 },
+  fine: { depth: 0.0005, apart: 0.0009 },
   /** How far fibres are bared: at the spine, and across a page on the side of the paper with more of them, and with fewer. */
   bared: { atSpine: 0.0012, more: 0.0022, fewer: 0.0009 },
   /** How wide a tuft of fibres is: the next one is of another length. */
@@ -17,4 +17,4 @@ export const tornEdge = {
 } as const;
 
 /** How far within the paper's edge it is torn on average, metres. */
-export const meanTornDepth: number = (tornEdge.waves.depth + tornEdge.teeth.depth) / 2;
+export const meanTornDepth: number = (tornEdge.coarse.depth + tornEdge.fine.depth) / 2;

@@ -61,7 +61,7 @@ void main() {
 }
 `;
 
-const { waves, teeth, bared, tuft, colour, cover } = tornEdge;
+const { coarse, fine, bared, tuft, colour, cover } = tornEdge;
 
 /** Returns a number as shaders write it. */
 const float = (value: number): string => value.toFixed(6);
@@ -147,8 +147,8 @@ vec3 fibresAt(vec3 ink, float from, float along, float reach) {
 }
 
 float raggedness(float along) {
-  float wave = ${float(waves.depth)} * wander(along / ${float(waves.apart)});
-  return wave + ${float(teeth.depth)} * wander(1000.0 + along / ${float(teeth.apart)});
+  float depth = ${float(coarse.depth)} * wander(along / ${float(coarse.apart)});
+  return depth + ${float(fine.depth)} * wander(1000.0 + along / ${float(fine.apart)});
 }
 
 // The edge at the spine, from which it is "from" metres.
