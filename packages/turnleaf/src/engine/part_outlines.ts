@@ -2,6 +2,7 @@
 
 import type { PaperMesh } from "../paper_mesh.ts";
 import { mostPaperEdges, type Surface } from "./shapes.ts";
+import { meanTornDepth } from "./torn_edge.ts";
 
 /** An edge of a part: the points from one corner to the next. */
 export interface OutlineEdge {
@@ -20,9 +21,6 @@ export interface PartOutline {
 
 /** What an edge that is not straight may take from its part's area, or add to it. */
 const crooked = 0.01;
-
-/** Mean of how far in paper is ragged where it is torn from the spine, metres, as `raggedness` in the shader has it. */
-const ragged = 0.00085;
 
 const ofMeshes = new WeakMap<PaperMesh, readonly PartOutline[]>();
 const ofGrids = new Map<string, readonly PartOutline[]>();
@@ -51,7 +49,7 @@ function gridOutline(columns: number, rows: number): PartOutline {
   ];
   return {
     part: 0,
-    edges: edges.map((points, k) => ({ points, beyond: -1, inset: k === 3 ? ragged : 0 })),
+    edges: edges.map((points, k) => ({ points, beyond: -1, inset: k === 3 ? meanTornDepth : 0 })),
   };
 }
 
@@ -130,7 +128,7 @@ function cornersOf({ places }: PaperMesh, loop: readonly number[]): readonly num
 
 /** Returns how far within its points an edge that is torn ends, metres. */
 function insetOf({ places, tears }: PaperMesh, points: readonly number[]): number {
-  if (points.every((point) => places[2 * point] === 0)) return ragged;
+  if (points.every((point) => places[2 * point] === 0)) return meanTornDepth;
   if (tears === undefined) return 0;
   return points.reduce((sum, point) => sum - Math.min(0, tears[3 * point]), 0) / points.length;
 }
