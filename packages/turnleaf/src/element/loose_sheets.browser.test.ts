@@ -3,8 +3,8 @@
 import { afterEach, expect, test, vi } from "vitest";
 import type { TurnleafBook } from "../element.ts";
 import type { UV } from "../engine/book_engine.ts";
+import { meanTornDepth } from "../engine/part_outlines.ts";
 import type { PaperMesh, Surface, Vec3 } from "../engine/shapes.ts";
-import { meanTornDepth } from "../engine/torn_edge.ts";
 import { clock } from "../for_tests/clock.ts";
 import { tearableBook, tearOutPage5 } from "../for_tests/tearable_books.ts";
 import { TestPointer } from "../for_tests/test_pointer.ts";

@@ -2,7 +2,6 @@
 
 import type { PaperMesh } from "../paper_mesh.ts";
 import { mostPaperEdges, type Surface } from "./shapes.ts";
-import { meanTornDepth } from "./torn_edge.ts";
 
 /** An edge of a part: the points from one corner to the next. */
 export interface OutlineEdge {
@@ -21,6 +20,13 @@ export interface PartOutline {
 
 /** What an edge that is not straight may take from its part's area, or add to it. */
 const crooked = 0.01;
+
+/**
+ * Mean of how far in paper is ragged where it is torn from the spine, metres, as `raggedness` in the shader of
+ * `webgl/paper_material.ts` has it. Across a page its edge wanders as far to either side of the tear, less than
+ * `BEYOND` of the engine's `models/sheet/torn.rs`, by which either piece is drawn beyond that.
+ */
+export const meanTornDepth = 0.00085;
 
 const ofMeshes = new WeakMap<PaperMesh, readonly PartOutline[]>();
 const ofGrids = new Map<string, readonly PartOutline[]>();

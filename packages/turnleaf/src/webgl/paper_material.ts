@@ -2,7 +2,6 @@
 
 import { BackSide, Color, FrontSide, ShaderMaterial, type Texture } from "three";
 import type { Paper } from "../engine/shapes.ts";
-import { meanTornDepth, tornEdge } from "../engine/torn_edge.ts";
 import type { BookShape } from "../stage/book_pose.ts";
 import { lookOf } from "../themes.ts";
 import { inkChunk, inkUniforms } from "./ink.ts";
@@ -60,11 +59,6 @@ void main() {
   gl_Position.z = nearer.z / nearer.w * gl_Position.w;
 }
 `;
-
-const { coarse, fine, bared, tuft, colour, cover } = tornEdge;
-
-/** Returns a number as shaders write it. */
-const float = (value: number): string => value.toFixed(6);
 
 /**
  * What only some pages need is compiled in, or not: drawn in software, the light that flaps and
@@ -126,7 +120,8 @@ vec3 besidePrint(vec4 print, vec2 uv) {
 }
 
 #ifdef TORN
-// Paper tears along its fibres: an edge that wanders, in whole numbers, so that every machine draws the same.
+// Paper tears along its fibres: an edge that wanders by a millimetre or so, in whole numbers, so
+// that every machine draws the same.
 float wander(float at) {
   uint cell = uint(at);
   vec2 ends;
@@ -142,26 +137,25 @@ float wander(float at) {
 // Cuts what is "from" metres off a ragged edge, and bares fibres so far beside it.
 vec3 fibresAt(vec3 ink, float from, float along, float reach) {
   if (from < 0.0) discard;
-  float fibres = 1.0 - smoothstep(0.0, reach, from - 0.5 * reach * wander(2000.0 + along / ${float(tuft)}));
-  return mix(ink, bare * vec3(${colour.map(float)}), ${float(cover)} * fibres);
+  float fibres = 1.0 - smoothstep(0.0, reach, from - 0.5 * reach * wander(2000.0 + along / 0.0006));
+  return mix(ink, bare * vec3(1.02, 1.06, 1.15), 0.8 * fibres);
 }
 
 float raggedness(float along) {
-  float depth = ${float(coarse.depth)} * wander(along / ${float(coarse.apart)});
-  return depth + ${float(fine.depth)} * wander(1000.0 + along / ${float(fine.apart)});
+  return 0.0012 * wander(along / 0.005) + 0.0005 * wander(1000.0 + along / 0.0009);
 }
 
 // The edge at the spine, from which it is "from" metres.
 vec3 tearEdge(vec3 ink, float from, float along) {
-  return fibresAt(ink, from - raggedness(along), along, ${float(bared.atSpine)});
+  return fibresAt(ink, from - raggedness(along), along, 0.0012);
 }
 
 // The edge where a sheet is torn across: one line cuts both pieces, and one has more of its
 // fibres bared on this side of the paper, the other on that.
 vec3 tearAcross(vec3 ink) {
   if (vTear.y > opened) return ink;
-  float edge = vTear.z * (raggedness(5.0 + vTear.y) - ${float(meanTornDepth)});
-  float reach = vTear.z * (1.0 - 2.0 * mirrored) > 0.0 ? ${float(bared.more)} : ${float(bared.fewer)};
+  float edge = vTear.z * (raggedness(5.0 + vTear.y) - 0.00085);
+  float reach = vTear.z * (1.0 - 2.0 * mirrored) > 0.0 ? 0.0022 : 0.0009;
   return fibresAt(ink, vTear.x - edge, vTear.y, reach);
 }
 #endif
