@@ -1,6 +1,14 @@
 /** What turns the pages of the open book, and reports how they lie. */
 
-import { directionOf, forward, leftPage, pageOf, rightPage, spreadOf } from "../book/spreads.ts";
+import {
+  clampSpread,
+  directionOf,
+  forward,
+  leftPage,
+  pageOf,
+  rightPage,
+  spreadOf,
+} from "../book/spreads.ts";
 import type { BookState } from "../book/turning.ts";
 import type { Viewer } from "../viewer/viewer.ts";
 import { turnSecondsOf } from "./attribute_options.ts";
@@ -140,6 +148,20 @@ export abstract class TurningElement extends ReaderElement {
    */
   press(by: 1 | -1, isTap = false): Promise<boolean> {
     return this.#turn(by, isTap ? "tap" : "press");
+  }
+
+  /**
+   * Returns whether a leaf or a cover can be turned forward (1) or back (-1) from where the book lies, as when
+   * it is closed over its last page.
+   *
+   * @internal
+   */
+  canTurn(by: 1 | -1): boolean {
+    const viewer = this.#viewer;
+    if (viewer === undefined) return false;
+    const { binding, turning } = viewer;
+    const spread = turning.spread + by * forward(binding);
+    return spread === clampSpread(binding, spread);
   }
 
   /**
