@@ -198,6 +198,8 @@ export abstract class TurningElement extends ReaderElement {
     if (viewer === undefined) return Promise.resolve(false);
     const isOpen = spreadOf(viewer.binding, page) === viewer.turning.spread;
     if (options?.jump && !isOpen) this.jump();
+    // Of a jump that is called off nothing leads back.
+    else if (!options?.jump && this.state !== "resting") this.jumps.forget();
     const top = options?.top;
     if (top !== undefined && Number.isFinite(top)) this.book?.roll?.aim(page, top);
     const spread = spreadOf(viewer.binding, page);
