@@ -22,6 +22,7 @@ import {
 import { hideUnseen } from "./hide_unseen.ts";
 import { divideWords } from "./hyphenation/divide_words.ts";
 import { initialLetters } from "./initial_letters.ts";
+import { applyLetterForms } from "./letter_forms.ts";
 import { bleed } from "./lone_picture.ts";
 import { type MarginStyle, Markup } from "./markup.ts";
 import { blankIds, isNoteLink } from "./notes.ts";
@@ -150,6 +151,7 @@ export async function laySection(
     alignUnsaid(body, typography);
     if (typography.hyphens !== "none") await divideWords(body);
   }
+  applyLetterForms(body, mentions);
   await loadedIn(frame, html);
   let initials: ReadonlyMap<Node, InitialLetter> = new Map();
   const area = { width: page.width - 2 * page.sides, height: page.height - 2 * page.ends };

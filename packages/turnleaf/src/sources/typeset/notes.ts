@@ -2,6 +2,7 @@
 
 import { cleanText } from "../book_text.ts";
 import { limits } from "../limits.ts";
+import { writtenIn } from "./letter_forms.ts";
 
 const semantics = "http://www.idpf.org/2007/ops";
 
@@ -128,7 +129,7 @@ function* piecesOf(element: Element): Generator<string> {
   for (const child of element.childNodes) {
     if (child.nodeType === Node.TEXT_NODE || child.nodeType === Node.CDATA_SECTION_NODE) {
       // The markup's own lines are none of the text.
-      yield (child.nodeValue ?? "").replace(/\s+/g, " ");
+      yield writtenIn(child as CharacterData).replace(/\s+/g, " ");
     }
     if (child.nodeType !== Node.ELEMENT_NODE) continue;
     const inner = child as Element;
