@@ -491,12 +491,14 @@ describe("links", () => {
       `<aside id="${id}" ${meaning}>The  ${id} note. <a role="doc-backlink" href="#r">back</a></aside>`;
     const source = await laidOut({
       chapters: [
-        `<p><a epub:type="noteref" href="#first">1</a> <a role="doc-noteref" href="c2.xhtml#second">2</a> <a href="#first">3</a> <a epub:type="noteref" href="#none">4</a></p>${note("first", 'epub:type="footnote"')}`,
-        `${note("second", 'role="doc-endnote"')}`,
+        `<p><a epub:type="noteref" href="#first">1</a> <a role="doc-noteref" href="c2.xhtml#second">2</a> <a href="#first">3</a> <a epub:type="noteref" href="#none">4</a> <a epub:type="noteref" href="c2.xhtml#arrow">5</a></p>${note("first", 'epub:type="footnote"')}`,
+        `${note("second", 'role="doc-endnote"')}<aside epub:type="footnote" id="arrow">An arrow \u2192 <a href="#x">\u2192 that</a>. <a href="c1.xhtml#r5">\u21a9\ufe0e</a></aside>`,
       ],
     });
-    const notes = (await source.links?.(0, never))?.slice(0, 4).map(({ note }) => note);
-    expect(notes).toEqual(["The first note.", "The second note.", undefined, undefined]);
+    const notes = (await source.links?.(0, never))?.slice(0, 5).map(({ note }) => note);
+    // An arrow alone leads back, whatever it does not say of itself.
+    const arrow = "An arrow \u2192 \u2192 that.";
+    expect(notes).toEqual(["The first note.", "The second note.", undefined, undefined, arrow]);
   });
 
   test("lead to pages of the book and to the web, and nowhere else", async () => {

@@ -6,6 +6,7 @@ import { alignText, alignUnsaid } from "./align_text.ts";
 import { honourBreaks, resolveVariables } from "./asked_breaks.ts";
 import { setStyles } from "./box_styles.ts";
 import { fitBoxes, fixCrossed } from "./fit_boxes.ts";
+import { fitDrawings } from "./fit_drawings.ts";
 import { fitFormulas } from "./fit_formulas.ts";
 import { fitType } from "./fit_type.ts";
 import { type FlowContent, type LostPart, lostAttribute, sourceAttribute } from "./flow_book.ts";
@@ -166,6 +167,7 @@ export async function laySection(
     const fitted = new WeakSet<Element>();
     const fit = (): void => fitBoxes(body, { ...area, ...ends }, writingMode, fitted);
     drawControls(body);
+    fitDrawings(body);
     resolveVariables(body, mentions);
     const [line, across] = isVertical ? [area.height, area.width] : [area.width, area.height];
     const type = { line, page: isSliced ? Number.POSITIVE_INFINITY : across };

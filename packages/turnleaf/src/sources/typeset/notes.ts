@@ -124,6 +124,16 @@ function beginsNote(element: Element): boolean {
   return hasId && [...element.querySelectorAll("a[href]")].some((link) => !isNoteLink(link));
 }
 
+/** Arrows that are all that a link back from a note says, each in either of its forms. */
+const arrows = /^\s*(?:[\u2190-\u21ff\u23ce\u2b00-\u2b11\u{1f519}^](?:\ufe0e|\ufe0f)?\s?)+\s*$/u;
+
+/** Returns whether an element is a link back from a note: it says so, or is an arrow. */
+function isBacklink(element: Element): boolean {
+  if (element.localName !== "a") return false;
+  if (hasMeaning(element, "backlink", "doc-backlink")) return true;
+  return element.hasAttribute("href") && arrows.test(element.textContent ?? "");
+}
+
 /** Returns an element's text in pieces, with the ends of its lines; without the links back from a note. */
 function* piecesOf(element: Element): Generator<string> {
   for (const child of element.childNodes) {
@@ -133,7 +143,7 @@ function* piecesOf(element: Element): Generator<string> {
     }
     if (child.nodeType !== Node.ELEMENT_NODE) continue;
     const inner = child as Element;
-    if (inner.localName === "a" && hasMeaning(inner, "backlink", "doc-backlink")) continue;
+    if (isBacklink(inner)) continue;
     const edge = block.test(inner.localName) ? (/^t[dh]$/.test(inner.localName) ? " " : "\n") : "";
     if (edge !== "") yield edge;
     yield* piecesOf(inner);
