@@ -22,6 +22,7 @@ const western = /^(iso-8859-1|windows-1252)$/i;
 export function legacyText(bytes: Uint8Array): string {
   const sample = sampleOf(bytes);
   const isInRuns = standInRuns(sample);
+  if (isInRuns && isOfDos(sample)) return new TextDecoder("ibm866").decode(bytes);
   const words = isInRuns ? otherWords(sample) : sample;
   const best = analyse(words).find(({ confidence }) => confidence > unsure);
   const isSure = best !== undefined && best.confidence >= sure && !western.test(best.name);
@@ -39,6 +40,18 @@ function sampleOf(bytes: Uint8Array): Uint8Array {
     .replace(tags, " ")
     .replace(files, " ");
   return Uint8Array.from(letters.slice(0, sampleLength), (letter) => letter.charCodeAt(0) & 0xff);
+}
+
+/**
+ * Returns whether a text is in the Cyrillic of DOS, which the detector does not know: its letters are where
+ * later encodings have signs, and it leaves out what the bytes of East Asian letters are of.
+ */
+function isOfDos(bytes: Uint8Array): boolean {
+  const others = bytes.filter((byte) => byte >= 0x80);
+  const isLow = (byte: number): boolean => byte < 0xb0;
+  const letters = others.filter((byte) => isLow(byte) || (byte >= 0xe0 && byte < 0xf2));
+  const low = letters.filter(isLow);
+  return letters.length > 0.97 * others.length && low.length > others.length / 2;
 }
 
 /** Returns the words of a text in which letters are that are not of ASCII: what else is in it is of another language. */

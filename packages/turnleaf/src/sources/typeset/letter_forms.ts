@@ -10,13 +10,6 @@ import type { StyleMentions } from "./style_mentions.ts";
 /** What a book wrote in a text whose letters were replaced. Each has as many characters as the text. */
 const written = new WeakMap<Node, string>();
 
-/** Letters and their forms, in turn. */
-function pairsOf(pairs: string): ReadonlyMap<string, string> {
-  return new Map(
-    Array.from(pairs.matchAll(/(.)(.)/gsu), ([, letter = "", form = ""]) => [letter, form]),
-  );
-}
-
 /** Returns consecutive letters with as many consecutive forms. */
 function rangeOf(first: number, last: number, form: number): [string, string][] {
   return Array.from({ length: last - first + 1 }, (_, k) => [
@@ -25,14 +18,21 @@ function rangeOf(first: number, last: number, form: number): [string, string][] 
   ]);
 }
 
+/** Returns letters, in turn with their forms. */
+function pairsOf(pairs: string): [string, string][] {
+  return Array.from(pairs.matchAll(/(.)(.)/gsu), ([, letter = "", form = ""]) => [letter, form]);
+}
+
 /** The full-width forms of narrow letters: the inverse of Unicode's `<wide>`, and its `<narrow>`. */
 const fullWidth: ReadonlyMap<string, string> = new Map([
   ...rangeOf(0x21, 0x7e, 0xff01),
-  ...pairsOf(
-    "¢￠£￡¬￢¯￣¦￤¥￥₩￦⦅｟⦆｠｡。｢「｣」､、･・ｦヲｧァｨィｩゥｪェｫォｬャｭュｮョｯッｰーｱアｲイｳウｴエｵオｶカｷキｸクｹケｺコｻサｼシｽスｾセｿソﾀタﾁチﾂツﾃテﾄトﾅナﾆニﾇヌﾈネﾉノﾊハﾋヒﾌフﾍヘﾎホﾏマﾐミﾑムﾒメﾓモﾔヤﾕユﾖヨﾗラﾘリﾙルﾚレﾛロﾜワﾝン￨│￩←￪↑￫→￬↓￭■￮○",
-  ),
-  // The marks of voiced sounds, as they join the letter before them.
-  ...rangeOf(0xff9e, 0xff9f, 0x3099),
+  ...pairsOf("¢￠£￡¬￢¯￣¦￤¥￥₩￦⦅｟⦆｠￨│￩←￪↑￫→￬↓￭■￮○"),
+  // Kana and their marks, which join the letter before them.
+  ...rangeOf(0xff61, 0xff9f, 0).map(([letter]): [string, string] => [
+    letter,
+    letter.normalize("NFKC"),
+  ]),
+  // Hangul, of which that would make letters to be joined.
   ...rangeOf(0xffa0, 0xffa0, 0x3164),
   ...rangeOf(0xffa1, 0xffbe, 0x3131),
   ...rangeOf(0xffc2, 0xffc7, 0x314f),
@@ -45,9 +45,17 @@ const fullWidth: ReadonlyMap<string, string> = new Map([
 const wideSpace = "\u3000";
 
 /** Small kana in full size, by the list of CSS Text; those of two characters apart. */
-const fullSizeKana = pairsOf(
-  "ぁあぃいぅうぇえぉおゕかゖけっつゃやゅゆょよゎわァアィイゥウェエォオヵカヶケッツャヤュユョヨヮワㇰクㇱシㇲスㇳトㇴヌㇵハㇶヒㇷフㇸヘㇹホㇺムㇻラㇼリㇽルㇾレㇿロｧｱｨｲｩｳｪｴｫｵｯﾂｬﾔｭﾕｮﾖ",
-);
+const fullSizeKana: ReadonlyMap<string, string> = new Map([
+  // Most stand before their large form.
+  ...Array.from("ぁぃぅぇぉっゃゅょゎァィゥェォッャュョヮ", (small): [string, string] => [
+    small,
+    String.fromCharCode(small.charCodeAt(0) + 1),
+  ]),
+  ...pairsOf("ゕかゖけヵカヶケㇰクㇱシㇲスㇳトㇴヌㇺムｯﾂ"),
+  ...pairsOf("ㇵハㇶヒㇷフㇸヘㇹホㇻラㇼリㇽルㇾレㇿロ"),
+  ...rangeOf(0xff67, 0xff6b, 0xff71),
+  ...rangeOf(0xff6c, 0xff6e, 0xff94),
+]);
 
 /**
  * Replaces the letters of a section whose style asks for forms that the browser does not know.
