@@ -5,6 +5,7 @@ import { limits } from "../limits.ts";
 import { formulaAttribute } from "../markup/formulas.ts";
 import { xmlOf } from "../markup/xml.ts";
 import type { PageBox, TextRun } from "../page_source.ts";
+import { writtenIn } from "./letter_forms.ts";
 import { repeatedAttribute } from "./split_table.ts";
 import type { StyleMentions } from "./style_mentions.ts";
 
@@ -211,7 +212,7 @@ export class TextMap {
     if (!isText(node)) return this.#formulaOf(node, page);
     const lines: Line[] = [];
     const from = page === piece.first ? 0 : this.#firstOn(node, page);
-    const text = node.data;
+    const text = writtenIn(node);
     let line: Line | null = null;
     for (let k = from; k < text.length; ) {
       const next = k + (/[\ud800-\udbff]/.test(text[k] as string) ? 2 : 1);
