@@ -174,7 +174,8 @@ export class PlaceKeeper {
     // Another address may have been gone to since.
     if (source !== this.#source() || anchor !== this.#askedText || page !== this.#asked) return;
     const to = found === null ? page : found + 1;
-    if (to === null || (to === this.#book.page && this.#book.state === "resting")) return;
+    const { page: at, state } = this.#book;
+    if (to === null || (to === at && state === "resting")) return;
     void this.#book.turnTo(to);
   }
 

@@ -1,14 +1,6 @@
 /** What turns the pages of the open book, and reports how they lie. */
 
-import {
-  clampSpread,
-  directionOf,
-  forward,
-  leftPage,
-  pageOf,
-  rightPage,
-  spreadOf,
-} from "../book/spreads.ts";
+import { directionOf, forward, leftPage, pageOf, rightPage, spreadOf } from "../book/spreads.ts";
 import type { BookState } from "../book/turning.ts";
 import type { Viewer } from "../viewer/viewer.ts";
 import { turnSecondsOf } from "./attribute_options.ts";
@@ -151,17 +143,15 @@ export abstract class TurningElement extends ReaderElement {
   }
 
   /**
-   * Returns whether a leaf or a cover can be turned forward (1) or back (-1) from where the book lies, as when
-   * it is closed over its last page.
+   * Returns whether a leaf or a cover can be turned forward (1) or back (-1) from where the book will lie when all
+   * earlier requests are done, as when it is closed over its last page.
    *
    * @internal
    */
   canTurn(by: 1 | -1): boolean {
     const viewer = this.#viewer;
     if (viewer === undefined) return false;
-    const { binding, turning } = viewer;
-    const spread = turning.spread + by * forward(binding);
-    return spread === clampSpread(binding, spread);
+    return viewer.turning.turned((by * forward(viewer.binding)) as 1 | -1) !== null;
   }
 
   /**
@@ -199,7 +189,7 @@ export abstract class TurningElement extends ReaderElement {
     const isOpen = spreadOf(viewer.binding, page) === viewer.turning.spread;
     if (options?.jump && !isOpen) this.jump();
     // Of a jump that is called off nothing leads back.
-    else if (!options?.jump && this.state !== "resting") this.jumps.forget();
+    else if (this.state !== "resting") this.jumps.forget();
     const top = options?.top;
     if (top !== undefined && Number.isFinite(top)) this.book?.roll?.aim(page, top);
     const spread = spreadOf(viewer.binding, page);

@@ -16,29 +16,25 @@ interface Piece {
 /** Maximum distance of a word from its ink, CSS pixels. */
 const mostOff = 1;
 
-/** The open pages' runs beside those of a page: with which its text may hang together. */
-export interface NeighbouringRuns {
-  /** The last run of the open page before it. */
-  readonly before?: TextRun;
-  /** The first run of the open page after it. */
-  readonly after?: TextRun;
-}
-
 /**
  * Returns the page's text as elements in reading order, a line's end after each line that ends in itself;
  * each heading in one of their own. The rest of one that begins on the page before has no role there: that
  * page's heading owns it.
+ *
+ * @param before the last run of the open page before it
+ * @param after the first run of the open page after it
  */
 export function layText(
   runs: readonly TextRun[],
   project: Project,
-  { before, after }: NeighbouringRuns = {},
+  before?: TextRun,
+  after?: TextRun,
 ): Node[] {
   const nodes: Node[] = [];
   let heading: HTMLElement | null = null;
   for (const [k, run] of runs.entries()) {
-    const last = k === 0 ? before : runs[k - 1];
-    const goesOn = last?.headingGoesOn === true && last.heading === run.heading;
+    const last = runs[k - 1] ?? before;
+    const goesOn = last?.headingGoesOn && last.heading === run.heading;
     if (!goesOn) heading = null;
     if (run.heading !== undefined && heading === null) {
       heading = headingElement(goesOn ? null : run.heading);
@@ -52,11 +48,12 @@ export function layText(
 }
 
 /** Lets a heading that goes on on the next page own its rest: screen readers find one heading. */
-export function joinHeadings(page: Element, next: Element, id: string): void {
-  const rest = next.firstElementChild;
-  if (!rest?.matches(".heading:not([role])")) return;
-  rest.id = id;
-  page.lastElementChild?.setAttribute("aria-owns", id);
+export function joinHeadings(page: Element, next: Element): void {
+  const rest = next.querySelector(".heading:not([role])");
+  if (!rest) return;
+  // No more than two pages lie open.
+  rest.id = "rest";
+  page.lastElementChild?.setAttribute("aria-owns", "rest");
 }
 
 /** Returns an element without a box, which screen readers find among the headings; the rest of one if no level is given. */

@@ -28,7 +28,7 @@ import {
 import { resolveExtensions, resolveSwitches } from "./content_switches.ts";
 import { prepareFormulas } from "./formulas.ts";
 import { framePicture, frameSize } from "./frame_picture.ts";
-import { styleSelector } from "./parse_markup.ts";
+import { styleStandIn } from "./parse_markup.ts";
 import { isXmlAttribute } from "./xml.ts";
 
 /** The files that a chapter names. */
@@ -58,7 +58,7 @@ const mostFrames = 20;
 
 /** What is shown in no page. */
 const unshown =
-  "script, style, noframes, link, meta, base, iframe, frame, embed, audio, track, source, template";
+  "script, noframes, link, meta, base, iframe, frame, embed, audio, track, source, template";
 
 const purify = createPurify(globalThis.window);
 purify.addHook("uponSanitizeAttribute", (element, attribute) => {
@@ -222,7 +222,7 @@ async function stylesOf(document: Document, files: MarkupFiles): Promise<readonl
     if (href) sheets.push(() => files.style(href));
   }
   let preferred = "";
-  for (const element of document.querySelectorAll(`${styleSelector}, link[rel][href]`)) {
+  for (const element of document.querySelectorAll(`${styleStandIn}, link[rel][href]`)) {
     const [media = "", type = "", title = ""] = ["media", "type", "title"].map((name) =>
       element.getAttribute(name)?.trim(),
     );

@@ -13,19 +13,15 @@ export type MarkupType =
 const ownStyle = /(<[a-z][^<>]*?\s)style(?=\s*=)/gi;
 
 /** The tags of a style sheet, up to its name. */
-const styleTag = /<(\/?)((?:[a-z][\w.-]{0,99}:)?)style(?=[\s/>])/gi;
+const styleTag = /(<\/?(?:[\w.-]{1,99}:)?)style(?=[\s/>])/gi;
 
 /** What stands for a style sheet: an element whose text means nothing, wherever and in whatever markup it is. */
-const styleStandIn = "noframes";
-const styleMark = "data-turnleaf-style";
-
-/** Selects the style sheets of a parsed document. */
-export const styleSelector: string = `${styleStandIn}[${styleMark}]`;
+export const styleStandIn = "noframes";
 
 /**
  * Returns markup as a document in which nothing runs and nothing is loaded, and no element stands for a
- * member of it. The elements' own styles are in `styleAttribute`, and `styleSelector` selects its style
- * sheets: where a page's policy forbids inline styles, the browser would report both.
+ * member of it. The elements' own styles are in `styleAttribute`, and each style sheet is a `styleStandIn`:
+ * where a page's policy forbids inline styles, the browser would report both.
  */
 export function parseMarkup(text: string, type: MarkupType): Document {
   return parseBounded(withBoundedTags(text), type);
@@ -33,15 +29,12 @@ export function parseMarkup(text: string, type: MarkupType): Document {
 
 /** As `parseMarkup`, of text that `withBoundedTags` has returned. */
 export function parseBounded(text: string, type: MarkupType): Document {
-  const markup = text.replace(ownStyle, `$1${styleAttribute}`).replace(styleTag, standInTag);
+  const markup = text
+    .replace(ownStyle, `$1${styleAttribute}`)
+    .replace(styleTag, `$1${styleStandIn}`);
   const document = new DOMParser().parseFromString(trustedMarkup(markup), type);
   removeClobberingNames(document);
   return document;
-}
-
-/** Returns the tag of what stands for a style sheet. */
-function standInTag(_: string, slash: string, prefix: string): string {
-  return `<${slash}${prefix}${styleStandIn}${slash ? "" : ` ${styleMark}=""`}`;
 }
 
 /** Elements that are properties of their form or document, by their `id` or `name`. */
