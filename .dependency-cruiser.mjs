@@ -21,7 +21,7 @@ const parts = {
   words: [],
   models: ["paper_mesh.ts", "drawn_record.ts", "model_names.ts", "packed.ts", "stocks.ts"],
   key_frames: ["paper_mesh.ts", "model_names.ts"],
-  book: ["engine"],
+  book: ["engine", "stocks.ts"],
   picking: ["engine"],
   pages: ["sources", "themes.ts"],
   stage: ["book", "engine", "sources", "themes.ts"],

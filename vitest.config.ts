@@ -184,6 +184,7 @@ export default defineConfig({
           "packages/cli/src/**/*.test.ts",
           "books/**/*.test.{ts,mjs}",
           "scripts/**/*.test.mjs",
+          "tests/**/*.test.mjs",
         ],
         // Starting one for each file takes a sixth of the processors' time.
         { sharesProcess: true },

@@ -134,7 +134,7 @@ function cancel(stretch, others) {
 
 /** Returns whether a fault is a page that says in one sentence why it cannot be shown. */
 function isSentence([kind, what]) {
-  return kind === "refused" && /^[^\n]+\.$/.test(what) && !/[.!?]\s+\p{Lu}/u.test(what);
+  return kind === "rejected" && /^[^\n]+\.$/.test(what) && !/[.!?]\s+\p{Lu}/u.test(what);
 }
 
 /** Returns the lines of contents with those beneath them, in order. */
@@ -204,7 +204,7 @@ export async function judge(address, fileName, base, log) {
     const bitmap = await source.draw(0, judgedWidth, never);
     bitmap.close?.();
   } catch (error) {
-    fault(error.name === "BookError" ? "refused" : "failed", error.message, 1);
+    fault(error.name === "BookError" ? "rejected" : "failed", error.message, 1);
   }
   result.milliseconds.first = Math.round(performance.now() - begin);
   log("counting");
@@ -220,7 +220,7 @@ export async function judge(address, fileName, base, log) {
     try {
       runs = (await source.text?.(index, never)) ?? [];
     } catch (error) {
-      fault(error.name === "BookError" ? "refused" : "failed", error.message, index + 1);
+      fault(error.name === "BookError" ? "rejected" : "failed", error.message, index + 1);
     }
     // What a formula says on one line is its author's, or reckoned: what it shows is in its elements.
     const shown = ({ text, math }) => (math === undefined ? text : textOfFormula(math));
@@ -243,7 +243,7 @@ export async function judge(address, fileName, base, log) {
         }
       }
     } catch (error) {
-      fault(error.name === "BookError" ? "refused" : "failed", error.message, index + 1);
+      fault(error.name === "BookError" ? "rejected" : "failed", error.message, index + 1);
     }
   }
   // A page is empty where it is said that what stands on it cannot be shown.

@@ -19,7 +19,7 @@ import { openPage } from "../books_page.mjs";
 import { memoryByProcess } from "../soak/browser_memory.mjs";
 import { booksIn } from "./books.mjs";
 
-/** Milliseconds after which a book counts as one that never ends. */
+/** Milliseconds without a step after which a book counts as one that never ends. */
 const patience = 600_000;
 
 /** Milliseconds from one measure of memory to the next. */
@@ -64,19 +64,23 @@ function respond({ pathname }) {
 /** Runs in the page. */
 async function judgeInPage({ fileName, isEpub }) {
   const { judge } = await import("/tests/corpora/judge.js");
-  const log = (step) => {
-    globalThis.step = step;
-  };
+  const log = (step) => void globalThis.takeStep(step);
   const base = isEpub ? new URL("/books/files/", location.href).href : null;
   return await judge("/books/book", fileName, base, log);
 }
 
 let opened;
 
+/** When the judge took its last step. */
+let lastStep = 0;
+
 /** Returns the page, in a browser that is started where there is none. */
 async function browserPage() {
   if (opened) return opened;
   opened = await openPage(respond);
+  await opened.page.exposeFunction("takeStep", () => {
+    lastStep = Date.now();
+  });
   const session = await opened.browser.newBrowserCDPSession();
   const { processInfo } = await session.send("SystemInfo.getProcessInfo");
   opened.pid = processInfo.find(({ type }) => type === "browser").id;
@@ -93,14 +97,16 @@ async function judgeBook(book) {
   foreign.length = 0;
   const before = memoryByProcess(pid).all;
   let most = before;
+  lastStep = Date.now();
+  let isLate;
+  const late = new Promise((resolve) => {
+    isLate = resolve;
+  });
   const measuring = setInterval(() => {
     most = Math.max(most, memoryByProcess(pid).all);
+    if (Date.now() - lastStep > patience) isLate(null);
   }, measureEvery);
   const isEpub = book.format === "epub";
-  let timer;
-  const late = new Promise((resolve) => {
-    timer = setTimeout(resolve, patience, null);
-  });
   try {
     const found = await Promise.race([
       page.evaluate(judgeInPage, { fileName: book.fileName, isEpub }),
@@ -109,7 +115,7 @@ async function judgeBook(book) {
     if (!found) {
       opened = undefined;
       await page.context().browser().close();
-      return { faults: [["failed", `It did not end in ${patience / 1000} s.`]] };
+      return { faults: [["failed", `It did not go on for ${patience / 1000} s.`]] };
     }
     most = Math.max(most, memoryByProcess(pid).all);
     if (foreign.length > 0) found.foreign = [...foreign];
@@ -124,7 +130,6 @@ async function judgeBook(book) {
     return { faults: [["failed", error.message.split("\n")[0]]] };
   } finally {
     clearInterval(measuring);
-    clearTimeout(timer);
     book.forget();
   }
 }

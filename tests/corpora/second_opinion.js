@@ -124,13 +124,16 @@ async function hasPictures(root) {
 
 /** Returns the letters that follow an element, at most `most`. */
 function lettersFrom(element, pieces, most) {
-  let letters = "";
+  let [text, letters] = ["", ""];
   for (const piece of pieces) {
     const isAfter =
       element.contains(piece) ||
       element.compareDocumentPosition(piece) & Node.DOCUMENT_POSITION_FOLLOWING;
-    if (isAfter) letters += lettersOf(piece.data);
-    if (letters.length >= most) break;
+    if (!isAfter) continue;
+    // Together, as marks join the letters before them; one more, as it may be joined by the next piece's.
+    text += piece.data;
+    letters = lettersOf(text);
+    if (letters.length > most) break;
   }
   return letters.slice(0, most);
 }
@@ -141,10 +144,14 @@ function lettersFrom(element, pieces, most) {
  */
 export function lettersOf(text) {
   const windows = new TextDecoder("windows-1252");
-  return text
-    .replace(/[\u0080-\u009f]/g, (one) => windows.decode(Uint8Array.of(one.charCodeAt(0))))
-    .normalize("NFKC")
-    .replace(/[\s\p{Cc}\p{Cf}\u{FFFD}^_(){}[\],;]+/gu, "");
+  return (
+    text
+      .replace(/[\u0080-\u009f]/g, (one) => windows.decode(Uint8Array.of(one.charCodeAt(0))))
+      .normalize("NFKC")
+      .replace(/[\s\p{Cc}\p{Cf}\u{FFFD}^_(){}[\],;]+/gu, "")
+      // A mark that stood behind a blank joins the letter before it now, as it does where there was none.
+      .normalize("NFC")
+  );
 }
 
 /** Returns the text that a formula shows, as XML. */

@@ -434,18 +434,36 @@ export const checks = {
   "cnt-svg-embedded": showsPicture,
   "cnt-svg-support": async (book) =>
     (await shows("Test passes")(book)) && (await showsPicture(book)),
-  "css-epub-line-break": async (book) => {
-    const lines = [];
-    for (let page = 1; page <= book.pageCount; page++) {
-      let line = "";
-      for (const { text, end } of await book.runs(page)) {
-        line += text;
-        if (!end) continue;
-        // Those of Japanese alone are of the blocks that are to be broken.
-        if (/^[\u3000-\u9fff]{5,}$/.test(line.trim())) lines.push(line.trim());
-        line = "";
-      }
+  "css-epub-hyphens": async (book) => {
+    // The book says that the type's size may have to be another for its condition.
+    for (const size of [1, 1.25, 1.5, 1.75, 2]) {
+      await book.setSize(size);
+      const lines = await book.lines();
+      const at = ["The nineteenth", "2. This", "The art", "3. This", "Those who"].map((words) =>
+        lines.findIndex((line) => line.startsWith(words)),
+      );
+      if (at.includes(-1)) return "a block of the book is missing";
+      const ends = (from, to) => lines.slice(from, to).filter((line) => line.endsWith("\u00ad"));
+      const [none, manual, auto] = [ends(at[0], at[1]), ends(at[2], at[3]), ends(at[4])];
+      if (none.length === 0 && manual.length > 0 && auto.length > 0) return true;
     }
+    return false;
+  },
+  "css-epub-text-transform": async (book) => {
+    const runs = (await book.runs(1)).filter(({ vertical }) => vertical);
+    const [japanese, english] = ["これはテストです。", "123456abcdef"].map((words) =>
+      runs.find(({ text }) => text.trim() === words),
+    );
+    if (!japanese || !english) return "the text is not as the book has it";
+    // Beneath each other, upright letters of full width are as far apart as the Japanese ones.
+    const [one, other] = [japanese, english].map(({ text, height }) => height / text.trim().length);
+    return Math.abs(one - other) < 0.02 * one && Math.abs(japanese.width - english.width) < 1;
+  },
+  "css-epub-line-break": async (book) => {
+    // Those of Japanese alone are of the blocks that are to be broken.
+    const lines = (await book.lines())
+      .map((line) => line.trim())
+      .filter((line) => /^[\u3000-\u9fff]{5,}$/.test(line));
     return lines.length >= 8 && lines.every((one) => !/[々ぁ]$/.test(one));
   },
   "cnt-xhtml-support": shows("Test passes if you see this."),

@@ -6,6 +6,12 @@ const never = new AbortController().signal;
 /** The width at which pages are looked at, pixels. */
 const lookedAtWidth = 360;
 
+/** How text is set as its book says. */
+const ownTypography = {
+  ...{ font: "", size: 1, lineHeight: 0, margins: 1, align: "", hyphens: "" },
+  ...{ letterSpacing: 0, wordSpacing: 0, width: 0 },
+};
+
 /** A page's picture. */
 class Picture {
   constructor({ width, height, data }) {
@@ -100,6 +106,28 @@ export class OpenedBook {
 
   size(page) {
     return this.source.size(page - 1);
+  }
+
+  /** Sets flowing text anew, its type so many times as large as the book's own. */
+  async setSize(size) {
+    const change = await this.source.typeset({ ...ownTypography, size });
+    change?.();
+    await this.source.settle();
+  }
+
+  /** Returns the lines of all pages; of one that ends within a word the last character is a soft hyphen. */
+  async lines() {
+    const lines = [];
+    let line = "";
+    for (let page = 1; page <= this.pageCount; page++) {
+      for (const { text, end } of await this.runs(page)) {
+        line += text;
+        if (!end) continue;
+        lines.push(line);
+        line = "";
+      }
+    }
+    return lines;
   }
 
   async bitmap(page, width = lookedAtWidth) {

@@ -10,6 +10,14 @@ import { droppedFiles, filesOfFolder, pickedFiles } from "./local_files.ts";
 /** Milliseconds after which an opening that takes longer is announced. */
 const noticed = 300;
 
+/** The state of the history while a local book is shown; the book keeps it as it writes its place. */
+const ofLocalBook = "local book";
+
+/** Takes the place in the book out of the address, which gets a state. */
+function leavePlace(state: string | null): void {
+  history.replaceState(state, "", location.pathname + location.search);
+}
+
 /** Follows drops, the buttons and the keys until the page is left. */
 export class LocalBooks {
   readonly #book: TurnleafBook;
@@ -22,12 +30,14 @@ export class LocalBooks {
   #opening: AbortController | null = null;
 
   /**
-   * @param book in which they are shown
+   * @param book in which they are shown, not yet on the page
    * @param notice an element with a text and a button, hidden until there is something to say
    * @param pickers an element with a button that picks files, and one that picks a folder
    */
   constructor(book: TurnleafBook, notice: HTMLElement, pickers: HTMLElement) {
     this.#book = book;
+    // The place in the address is that of a local book, which a reload does not bring back.
+    if (history.state === ofLocalBook) leavePlace(null);
     this.#notice = notice;
     this.#text = notice.querySelector("span") as HTMLElement;
     this.#button = notice.querySelector("button") as HTMLButtonElement;
@@ -92,7 +102,7 @@ export class LocalBooks {
       if (signal.aborted) return source.close();
       this.#notice.hidden = true;
       // The place in the address is that of the book before.
-      history.replaceState(null, "", location.pathname + location.search);
+      leavePlace(ofLocalBook);
       this.#book.pages = source;
     } catch (error) {
       if (!signal.aborted) this.#say(error instanceof Error ? error.message : `${error}`, "Close");

@@ -29,8 +29,11 @@ const files: Record<string, Buffer | string> = {
   "/book.pdf": pdf(4),
   "/book.epub": Buffer.from(
     tinyEpub({
-      chapters: ['<p style="color: red">One</p><img src="1.png" alt=""/>', "<p>Two</p>"],
-      css: "body { background: #ff0 } p { background: url(1.png) }",
+      chapters: [
+        '<style type="text/css">body { background: #ff0 }</style><p style="color: red">One</p><img src="1.png" alt=""/><svg xmlns="http://www.w3.org/2000/svg"><style>rect { fill: red }</style></svg>',
+        "<p>Two</p>",
+      ],
+      css: "p { background: url(1.png) }",
       files: { "1.png": png(60, 90) },
     }),
   ),

@@ -220,6 +220,18 @@ describe("a book of the reader's own machine", () => {
     expect(await book(({ pageCount }) => pageCount)).toBe(9);
   });
 
+  it("leaves nothing of its place to the book that a reload brings back", async () => {
+    const before = await book(({ page }) => page);
+    expect(before).not.toBe(8);
+    await drop({ "a.pdf": pdf(9, "Dropped") });
+    await comesTo(page, () => document.title, "Dropped");
+    await book((book) => book.goTo(8));
+    await comesTo(page, () => /page=8/.test(location.hash), true);
+    await page.reload();
+    await comesTo(page, () => document.title, "A Small Book");
+    await bookComesTo(page, (book) => book.page, before);
+  });
+
   it("is shown in place of the other: dropped, or picked by a key", async () => {
     await drop({ "10.png": png(30, 40), "9.png": png(40, 30) });
     await bookComesTo(page, (book) => book.pageCount, 2);

@@ -196,7 +196,7 @@ export class TurnleafBook extends TearableElement {
   get bookBounds(): DOMRect | null {
     const viewer = this.#viewer;
     if (viewer === undefined) return null;
-    const { from, to } = viewer.bounds;
+    const { from, to } = viewer.extent.bounds;
     const { offsetLeft, offsetTop } = this.#tree.stage;
     return new DOMRect(from.x + offsetLeft, from.y + offsetTop, to.x - from.x, to.y - from.y);
   }
@@ -284,7 +284,7 @@ export class TurnleafBook extends TearableElement {
    * @internal
    */
   fractionBeside(width: number): number {
-    return this.#viewer?.fractionBeside(width) ?? 1;
+    return this.#viewer?.extent.fractionBeside(width) ?? 1;
   }
 
   /**
@@ -604,7 +604,7 @@ export class TurnleafBook extends TearableElement {
     this.#left = null;
     this.#status = null;
     this.#tree.say("");
-    this.#tree.fit(viewer);
+    this.#tree.fit(viewer.extent);
     this.describe();
     this.turnsOpened();
     this.#follow(viewer);
@@ -648,7 +648,7 @@ export class TurnleafBook extends TearableElement {
   #laidOut(): void {
     const viewer = this.#viewer;
     if (viewer === undefined) return;
-    this.#tree.fit(viewer);
+    this.#tree.fit(viewer.extent);
     this.describe();
     const { layout, edge } = viewer.binding;
     this.emit("layoutchange", { layout, binding: edge });

@@ -1,6 +1,7 @@
 /** Which leaves of a book are of a stock of their own: card covers, boards, plates. */
 
 import { type LeafStockName, leafStockNames } from "../engine/shapes.ts";
+import { presetStocks } from "../stocks.ts";
 import { pagesNamed } from "./layout.ts";
 import { type Binding, isBoard, leafOf, paperLeaves } from "./spreads.ts";
 
@@ -69,9 +70,8 @@ export function stockRuns(binding: Binding, list: string): StockRun[] {
   return runs;
 }
 
-/** Thickness at which a leaf counts in the book's, metres: paper, thicker than it is, and board. */
+/** Thickness at which a leaf of paper counts in the book's, metres: it is thinner. One of board counts as it is. */
 const paperThickness = 0.0004;
-const boardThickness = 0.0016;
 
 /** Maximum of a book's thickness, metres. */
 const thickest = 0.024;
@@ -83,7 +83,7 @@ const thickest = 0.024;
 export function bookThickness(binding: Binding, runs: readonly StockRun[]): number {
   let sum = paperThickness * paperLeaves(binding);
   for (const { first, end, stock } of runs) {
-    if (stock === "board") sum += (end - first) * (boardThickness - paperThickness);
+    if (stock === "board") sum += (end - first) * (presetStocks.board.caliper - paperThickness);
   }
   return thickest * (1 - Math.exp(-sum / thickest));
 }

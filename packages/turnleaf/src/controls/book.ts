@@ -71,6 +71,8 @@ export interface ControlledBook<Hit extends FoundPlace = FoundPlace> extends HTM
    * any case.
    */
   press(by: 1 | -1, isTap?: boolean): Promise<boolean>;
+  /** Returns whether a leaf or a cover can be turned forward (1) or back (-1) from where the book lies. */
+  canTurn(by: 1 | -1): boolean;
   /**
    * Turns to a page of the open book for its reader, and to a place so far down it. `jump` is for a
    * jump from which the reader may come back.

@@ -90,9 +90,8 @@ export class PagesBar {
     const before = this.#book.label(jumpedFrom ?? 1);
     const back = isName(before) ? texts.backToNamed : texts.backTo;
     this.#back.textContent = fill(back, { label: before });
-    this.#previous.ariaDisabled = String(page <= 1);
-    const { left, right } = this.#book.spread;
-    this.#next.ariaDisabled = String(Math.max(page, left ?? 0, right ?? 0) >= pageCount);
+    this.#previous.ariaDisabled = String(!this.#book.canTurn(-1));
+    this.#next.ariaDisabled = String(!this.#book.canTurn(1));
   }
 
   #listen(form: HTMLFormElement): void {

@@ -3,6 +3,7 @@
 import { afterEach, expect, test, vi } from "vitest";
 import type { TurnleafBook } from "../element.ts";
 import type { UV } from "../engine/book_engine.ts";
+import { meanTornDepth } from "../engine/part_outlines.ts";
 import type { PaperMesh, Surface, Vec3 } from "../engine/shapes.ts";
 import { clock } from "../for_tests/clock.ts";
 import { tearableBook, tearOutPage5 } from "../for_tests/tearable_books.ts";
@@ -96,9 +97,11 @@ test.for([40, -40])(
   async (degrees) => {
     const { whole, pieces } = await tornBySwing((degrees * Math.PI) / 180);
     const [foot, head] = pieces.map(tornRim);
-    // Each is drawn a millimetre beyond the line, where its picture ends.
-    const sum = areaOf(pieces[0]) + areaOf(pieces[1]) - 0.001 * (foot.long + head.long);
+    // Each is drawn a millimetre beyond the line, about which its picture ends: at most so far off it.
+    const beyond = 0.001;
+    const sum = areaOf(pieces[0]) + areaOf(pieces[1]) - beyond * (foot.long + head.long);
     expect(Math.abs(sum / whole - 1)).toBeLessThan(0.005);
+    expect(meanTornDepth).toBeLessThan(beyond);
     // It begins at the edge on the left and turns as the fingers do: clockwise, to the foot.
     const [from, to] = [foot.places[0], foot.places[foot.places.length - 1]];
     expect(from[0]).toBe(0);

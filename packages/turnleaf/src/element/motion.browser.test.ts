@@ -4,6 +4,7 @@ import { afterEach, expect, test } from "vitest";
 import type { BookState } from "../book/turning.ts";
 import type { TurnleafBook } from "../element.ts";
 import { book, happens, scans, settled } from "../for_tests/element_books.ts";
+import { eventually } from "../for_tests/eventually.ts";
 import { TestPointer } from "../for_tests/test_pointer.ts";
 import type { TurnDetail } from "./events.ts";
 
@@ -94,3 +95,36 @@ test.each([
   expect(cursorAt(middle + 10, bounds.bottom - 6)).toBe("grab");
   expect(cursorAt(middle + 10, bounds.bottom + 8)).toBe("");
 });
+
+test.each([
+  ["ltr", ""],
+  ["rtl", "right"],
+])(
+  "the buttons turn as far as the keys do: until the boards are closed, %s",
+  async (_, binding) => {
+    const options = { controls: "", duration: "0", binding, cover: "hard", offset: "0" };
+    const element = book(scans(6), { ...options, layout: "spread" });
+    await happens(element, "load");
+    await settled(element);
+    const named = (label: string) =>
+      element.shadowRoot?.querySelector(`[aria-label="${label}"]`) as HTMLElement;
+    await eventually(() => named("Next page")?.ariaDisabled).toBe("false");
+    for (const [label, by] of [
+      ["Next page", 1],
+      ["Previous page", -1],
+    ] as const) {
+      let presses = 0;
+      while (named(label).ariaDisabled === "false" && presses < 20) {
+        named(label).click();
+        await settled(element);
+        presses++;
+      }
+      // Closed, and no key turns it any further.
+      expect(Object.values(element.spread)).toEqual([null, null]);
+      expect(await element.press(by)).toBe(false);
+      expect(await element.press(-by as 1 | -1)).toBe(true);
+      await settled(element);
+      expect(named(label).ariaDisabled).toBe("false");
+    }
+  },
+);

@@ -7,6 +7,7 @@
 
 import type { DogEar } from "../book/dog_ears.ts";
 import type { PageFold } from "../book/page_folds.ts";
+import type { BookState } from "../book/turning.ts";
 import { pageInHash, pageOfHash } from "../sources/page_hash.ts";
 import type { PageList } from "../sources/page_list.ts";
 import type { Typography } from "../sources/page_source.ts";
@@ -21,6 +22,7 @@ interface PlacedBook extends HTMLElement {
   readonly src: string;
   readonly page: number;
   readonly pageCount: number;
+  readonly state: BookState;
   readonly bookTitle: string;
   zoom: number;
   bookmarks: readonly number[];
@@ -78,7 +80,8 @@ export class PlaceKeeper {
     on(this.#book, "foldchange", () => this.#keep());
     on(this.#book, "shiftchange", () => this.#keep());
     on(window, "pagehide", () => this.#keep());
-    on(window, "hashchange", () => void this.#follow());
+    // A step back from a jump that is under way leads to the same address.
+    on(window, "popstate", () => void this.#follow());
   }
 
   /** Keeps the place a last time, and stops listening. */
@@ -171,7 +174,9 @@ export class PlaceKeeper {
     // Another address may have been gone to since.
     if (source !== this.#source() || anchor !== this.#askedText || page !== this.#asked) return;
     const to = found === null ? page : found + 1;
-    if (to !== null && to !== this.#book.page) void this.#book.turnTo(to);
+    const { page: at, state } = this.#book;
+    if (to === null || (to === at && state === "resting")) return;
+    void this.#book.turnTo(to);
   }
 
   /** The page in the address; null if there is none, or the address is not used. */

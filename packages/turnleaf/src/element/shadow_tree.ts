@@ -3,6 +3,7 @@
 import { pagesAt } from "../book/spreads.ts";
 import { ElementPlane } from "../element_plane.ts";
 import type { PageSource } from "../sources/page_source.ts";
+import type { BookExtent } from "../viewer/book_extent.ts";
 import type { Viewer } from "../viewer/viewer.ts";
 import { countOf, elementTexts, fill, list } from "../words/languages.ts";
 import { followTab, keepFocus } from "./focus_keeper.ts";
@@ -70,7 +71,7 @@ export class ShadowTree {
    * Sizes the element for a book: where the web page leaves its width open, it is as wide as two
    * pages, as a film is as wide as its frames.
    */
-  fit({ placeRatio, placeWidth }: Pick<Viewer, "placeRatio" | "placeWidth">): void {
+  fit({ placeRatio, placeWidth }: Pick<BookExtent, "placeRatio" | "placeWidth">): void {
     this.#sizer.style.setProperty("--ratio", String(placeRatio));
     this.#sizer.style.setProperty("--width", `${placeWidth}px`);
   }

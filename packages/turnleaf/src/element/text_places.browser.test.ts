@@ -170,6 +170,23 @@ test("a jump is a step in the history, and leads back until one reads on", async
   expect(back()?.hidden).toBe(true);
 });
 
+test("the browser's Back calls off a jump that is under way", async () => {
+  const element = await open({ address: "", controls: "", duration: "400" });
+  await counted(element);
+  await element.goTo(5);
+  const { page } = element;
+  const [hit] = await element.search("w4c2x3");
+  const shown = element.showHit(hit ?? null);
+  await eventually(() => element.state).toBe("turning");
+  history.back();
+  await shown;
+  await eventually(() => element.settled).toBe(true);
+  expect(element.page).toBe(page);
+  expect(element.jumpedFrom).toBe(null);
+  await element.next();
+  expect(element.jumpedFrom).toBe(null);
+});
+
 /** Opens a tab of the panel, by its name: where there is no button for it in the bar, by the panel's own. */
 function openTab(root: ShadowRoot, name: string): void {
   const buttons = () =>

@@ -123,7 +123,7 @@ export class TextSetting {
    */
   #shownPage(): PageSize | null {
     const book = this.#book();
-    const width = book?.source.typeset ? book.viewer.pageWidth : 0;
+    const width = book?.source.typeset ? book.viewer.extent.pageWidth : 0;
     if (width === 0) return null;
     const leaf = book?.source.leaf ?? paperback;
     const expected = this.#expectedPage(typographyOf(this.#element));

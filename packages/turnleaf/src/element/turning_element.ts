@@ -143,6 +143,18 @@ export abstract class TurningElement extends ReaderElement {
   }
 
   /**
+   * Returns whether a leaf or a cover can be turned forward (1) or back (-1) from where the book will lie when all
+   * earlier requests are done, as when it is closed over its last page.
+   *
+   * @internal
+   */
+  canTurn(by: 1 | -1): boolean {
+    const viewer = this.#viewer;
+    if (viewer === undefined) return false;
+    return viewer.turning.turned((by * forward(viewer.binding)) as 1 | -1) !== null;
+  }
+
+  /**
    * Turns to a page (from 1, clamped to the book), or changes to it at once.
    * Resolves, once the book is at rest, to whether it lies there. While a book
    * is opening, that book opens there: resolves once it has, to false if it
@@ -176,6 +188,8 @@ export abstract class TurningElement extends ReaderElement {
     if (viewer === undefined) return Promise.resolve(false);
     const isOpen = spreadOf(viewer.binding, page) === viewer.turning.spread;
     if (options?.jump && !isOpen) this.jump();
+    // Of a jump that is called off nothing leads back.
+    else if (this.state !== "resting") this.jumps.forget();
     const top = options?.top;
     if (top !== undefined && Number.isFinite(top)) this.book?.roll?.aim(page, top);
     const spread = spreadOf(viewer.binding, page);

@@ -21,8 +21,12 @@ export interface PartOutline {
 /** What an edge that is not straight may take from its part's area, or add to it. */
 const crooked = 0.01;
 
-/** Mean of how far in paper is ragged where it is torn from the spine, metres, as `raggedness` in the shader has it. */
-const ragged = 0.00085;
+/**
+ * Mean of how far in paper is ragged where it is torn from the spine, metres, as `raggedness` in the shader of
+ * `webgl/paper_material.ts` has it. Across a page its edge wanders as far to either side of the tear, less than
+ * `BEYOND` of the engine's `models/sheet/torn.rs`, by which either piece is drawn beyond that.
+ */
+export const meanTornDepth = 0.00085;
 
 const ofMeshes = new WeakMap<PaperMesh, readonly PartOutline[]>();
 const ofGrids = new Map<string, readonly PartOutline[]>();
@@ -51,7 +55,7 @@ function gridOutline(columns: number, rows: number): PartOutline {
   ];
   return {
     part: 0,
-    edges: edges.map((points, k) => ({ points, beyond: -1, inset: k === 3 ? ragged : 0 })),
+    edges: edges.map((points, k) => ({ points, beyond: -1, inset: k === 3 ? meanTornDepth : 0 })),
   };
 }
 
@@ -130,7 +134,7 @@ function cornersOf({ places }: PaperMesh, loop: readonly number[]): readonly num
 
 /** Returns how far within its points an edge that is torn ends, metres. */
 function insetOf({ places, tears }: PaperMesh, points: readonly number[]): number {
-  if (points.every((point) => places[2 * point] === 0)) return ragged;
+  if (points.every((point) => places[2 * point] === 0)) return meanTornDepth;
   if (tears === undefined) return 0;
   return points.reduce((sum, point) => sum - Math.min(0, tears[3 * point]), 0) / points.length;
 }

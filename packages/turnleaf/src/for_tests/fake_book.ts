@@ -59,6 +59,10 @@ export class FakeBook extends HTMLElement implements ControlledBook {
 
   press = (by: 1 | -1): Promise<boolean> =>
     this.#turn(by === 1 ? "next" : "previous", this.page + 2 * by);
+  canTurn(by: 1 | -1): boolean {
+    return by === 1 ? this.page < this.pageCount : this.page > 1;
+  }
+
   turnTo = (page: number, { top = 0 }: { readonly top?: number } = {}): Promise<boolean> =>
     this.#turn(`turnTo ${page}${top === 0 ? "" : ` at ${top}`}`, page);
 

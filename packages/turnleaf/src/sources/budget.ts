@@ -8,7 +8,7 @@ import { claimedSize } from "./image_header.ts";
 import { limits } from "./limits.ts";
 import { carriedName, withCarriedShorthands } from "./markup/carried_shorthands.ts";
 import { dataPicture, isNoPicture } from "./markup/data_address.ts";
-import { errorIn, parseMarkup } from "./markup/parse_markup.ts";
+import { errorIn, parseMarkup, styleStandIn } from "./markup/parse_markup.ts";
 import { BookError } from "./page_source.ts";
 import { dataAddress, StyleValues } from "./style_values.ts";
 import { pixelsAttribute, styleAttribute } from "./typeset/flow_book.ts";
@@ -119,7 +119,9 @@ export async function checkSvg(text: string, name: string): Promise<void> {
 async function costOfSvg(text: string, name: string, depth: number): Promise<PictureCost> {
   const document = parseMarkup(text, "image/svg+xml");
   if (errorIn(document)) return noPicture;
-  const sheets = [...document.querySelectorAll("style")].map((style) => style.textContent ?? "");
+  const sheets = [...document.querySelectorAll(styleStandIn)].map(
+    (style) => style.textContent ?? "",
+  );
   return await new Count(document.documentElement, sheets, name, depth).check();
 }
 

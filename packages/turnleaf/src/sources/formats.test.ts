@@ -19,7 +19,11 @@ const images = {
   "image/jp2": ["\0\0\0\x0cjP  \r\n\x87\n", "\xff\x4f\xff\x51"],
   "image/jxl": ["\0\0\0\x0cJXL \r\n\x87\n", "\xff\x0a"],
   "image/heic": ["\0\0\0\x18ftypheic", "\0\0\0\x18ftypmif1"],
-  "image/bmp": ["BM\0\0\0\0\0\0\0\0"],
+  "image/bmp": [
+    "BM\0\0\0\0\0\0\0\0\x36\0\0\0\x28\0\0\0",
+    // What stands where nothing is to stand, and the header of OS/2.
+    "BM\x36\x01\0\0\x07\0\x01\0\x1a\0\0\0\x0c\0\0\0",
+  ],
   "image/svg+xml": [
     "<svg xmlns=",
     '<?xml version="1.0"?>\n<svg>',

@@ -102,6 +102,14 @@ const image = (
 const decoded: Partial<FileFormat> = { isRare: true };
 const undecoded: Partial<FileFormat> = { isRare: true, family: undefined };
 
+/** The headers of bitmaps by their lengths: of OS/2, and of Windows with what was added to it. */
+const bitmapHeader = at(
+  14,
+  ...["\x0c", "\x10", "\x28", "\x34", "\x38", "\x40", "\x6c", "\x7c"].map(
+    (length) => `${length}\0\0\0`,
+  ),
+);
+
 const isFictionBookName = (name: string): boolean => /\.fb2$/i.test(name);
 
 /**
@@ -114,8 +122,8 @@ export const formats: readonly FileFormat[] = [
   image("WebP", "image/webp", ["webp"], at(8, "WEBP")),
   image("AVIF", "image/avif", ["avif"], at(4, "ftypavif", "ftypavis")),
   image("GIF", "image/gif", ["gif"], at(0, "GIF87a", "GIF89a")),
-  // Its mark is short, so that the four bytes which it leaves empty are tested too.
-  image("BMP", "image/bmp", ["bmp"], (file) => at(0, "BM")(file) && at(6, "\0\0\0\0")(file)),
+  // Its mark is short, so that the length of its header is tested too: programs write what they like between.
+  image("BMP", "image/bmp", ["bmp"], (file) => at(0, "BM")(file) && bitmapHeader(file)),
   image("SVG", "image/svg+xml", ["svg"], isSvg),
   // BigTIFF too.
   image("TIFF", "image/tiff", ["tif", "tiff"], at(0, "II*\0", "MM\0*", "II+\0", "MM\0+"), decoded),

@@ -9,6 +9,9 @@ const sampleLength = 1 << 16;
 /** Tags, whose letters say nothing of the text's language. */
 const tags = /<[^<>]*>/g;
 
+/** Files in a text, as in a FictionBook's: their letters are of no language either. */
+const files = /[A-Za-z0-9+/=]{40,}/g;
+
 /** Confidence of the detector, of 100, from which it is right for a line of text; and that with which it knows nothing. */
 const [sure, unsure] = [35, 10];
 
@@ -18,9 +21,12 @@ const western = /^(iso-8859-1|windows-1252)$/i;
 /** Returns text whose bytes are no UTF-8, in the encoding that fits its letters best. */
 export function legacyText(bytes: Uint8Array): string {
   const sample = sampleOf(bytes);
-  const best = analyse(sample).find(({ confidence }) => confidence > unsure);
+  const isInRuns = standInRuns(sample);
+  if (isInRuns && isOfDos(sample)) return new TextDecoder("ibm866").decode(bytes);
+  const words = isInRuns ? otherWords(sample) : sample;
+  const best = analyse(words).find(({ confidence }) => confidence > unsure);
   const isSure = best !== undefined && best.confidence >= sure && !western.test(best.name);
-  const other = !isSure && standInRuns(sample) ? eastAsianEncoding([sample]) : null;
+  const other = !isSure && isInRuns ? eastAsianEncoding([sample]) : null;
   return decoderOf(other ?? best?.name ?? "").decode(bytes);
 }
 
@@ -29,8 +35,37 @@ function sampleOf(bytes: Uint8Array): Uint8Array {
   const first = Math.max(bytes.findIndex((byte) => byte >= 0x80) - sampleLength / 2, 0);
   const part = bytes.subarray(first, first + 2 * sampleLength);
   // One letter a byte, each with the number of its byte or one above 255.
-  const letters = new TextDecoder("x-user-defined").decode(part).replace(tags, " ");
+  const letters = new TextDecoder("x-user-defined")
+    .decode(part)
+    .replace(tags, " ")
+    .replace(files, " ");
   return Uint8Array.from(letters.slice(0, sampleLength), (letter) => letter.charCodeAt(0) & 0xff);
+}
+
+/**
+ * Returns whether a text is in the Cyrillic of DOS, which the detector does not know: its letters are where
+ * later encodings have signs, and it leaves out what the bytes of East Asian letters are of.
+ */
+function isOfDos(bytes: Uint8Array): boolean {
+  const others = bytes.filter((byte) => byte >= 0x80);
+  const isLow = (byte: number): boolean => byte < 0xb0;
+  const letters = others.filter((byte) => isLow(byte) || (byte >= 0xe0 && byte < 0xf2));
+  const low = letters.filter(isLow);
+  return letters.length > 0.97 * others.length && low.length > others.length / 2;
+}
+
+/** Returns the words of a text in which letters are that are not of ASCII: what else is in it is of another language. */
+function otherWords(bytes: Uint8Array): Uint8Array {
+  const kept: number[] = [];
+  let [from, isOther] = [0, false];
+  for (let k = 0; k < bytes.length; k++) {
+    if ((bytes[k] as number) >= 0x80) isOther = true;
+    const isEnd = (bytes[k] as number) <= 0x20 || k === bytes.length - 1;
+    if (!isEnd) continue;
+    if (isOther) kept.push(...bytes.subarray(from, k + 1));
+    [from, isOther] = [k + 1, false];
+  }
+  return Uint8Array.from(kept);
 }
 
 /** Returns whether letters that are not of ASCII stand beside each other rather than alone, as those of Western Europe do. */

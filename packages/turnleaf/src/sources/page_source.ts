@@ -40,12 +40,14 @@ export interface TextRun extends PageBox {
   /** Whether a line ends with this run. */
   readonly end: boolean;
   /**
-   * Whether the paragraph goes on after that end, which is then no part of the text: what is copied has a
-   * space there, or nothing within a word. The default is false.
+   * Whether the paragraph goes on after that end, on this page or on the next one; the end is then no part of
+   * the text: what is copied has a space there, or nothing within a word. The default is false.
    */
   readonly wraps?: boolean;
   /** The level of the heading in which it stands, 1 to 6, for screen readers. The default is none. */
   readonly heading?: number;
+  /** Whether that heading goes on in the next run, on this page or on the next one. The default is false. */
+  readonly headingGoesOn?: boolean;
   /** Whether its letters stand below each other, as in vertical Japanese: `height` is then along the line. */
   readonly vertical?: boolean;
   /**

@@ -18,30 +18,49 @@ const mostOff = 1;
 
 /**
  * Returns the page's text as elements in reading order, a line's end after each line that ends in itself;
- * headings in one of their own.
+ * each heading in one of their own. The rest of one that begins on the page before has no role there: that
+ * page's heading owns it.
+ *
+ * @param before the last run of the open page before it
+ * @param after the first run of the open page after it
  */
-export function layText(runs: readonly TextRun[], project: Project): Node[] {
+export function layText(
+  runs: readonly TextRun[],
+  project: Project,
+  before?: TextRun,
+  after?: TextRun,
+): Node[] {
   const nodes: Node[] = [];
   let heading: HTMLElement | null = null;
   for (const [k, run] of runs.entries()) {
-    const before = runs[k - 1];
-    const goesOn = before?.heading === run.heading && (!before?.end || before.wraps);
+    const last = runs[k - 1] ?? before;
+    const goesOn = last?.headingGoesOn && last.heading === run.heading;
     if (!goesOn) heading = null;
     if (run.heading !== undefined && heading === null) {
-      heading = headingElement(run.heading);
+      heading = headingElement(goesOn ? null : run.heading);
       nodes.push(heading);
     }
-    const laid = layRun(run, runs[k + 1], project);
+    const laid = layRun(run, runs[k + 1] ?? after, project);
     if (heading) heading.append(...laid);
     else nodes.push(...laid);
   }
   return nodes;
 }
 
-/** Returns an element without a box, which screen readers find among the headings. */
-function headingElement(level: number): HTMLElement {
+/** Lets a heading that goes on on the next page own its rest: screen readers find one heading. */
+export function joinHeadings(page: Element, next: Element): void {
+  const rest = next.querySelector(".heading:not([role])");
+  if (!rest) return;
+  // No more than two pages lie open.
+  rest.id = "rest";
+  page.lastElementChild?.setAttribute("aria-owns", "rest");
+}
+
+/** Returns an element without a box, which screen readers find among the headings; the rest of one if no level is given. */
+function headingElement(level: number | null): HTMLElement {
   const element = document.createElement("div");
   element.className = "heading";
+  if (level === null) return element;
   element.setAttribute("role", "heading");
   element.ariaLevel = String(level);
   return element;

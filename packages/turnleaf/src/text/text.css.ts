@@ -14,6 +14,7 @@ export const textStyle: string = /* css */ `
 .text, .mark { forced-color-adjust: none; }
 .text span, .text a, .field, .medium, .mark { position: absolute; left: 0; top: 0; transform-origin: 0 0; }
 .text span { z-index: 1; pointer-events: auto; cursor: text; user-select: text; -webkit-user-select: text; }
+.text > div, .print { position: absolute; inset: 0; }
 .text .heading { display: contents; }
 .text.uncopied span { pointer-events: none; user-select: none; -webkit-user-select: none; }
 .text .formula { position: absolute; left: 0; top: 0; transform-origin: 0 0; overflow: hidden; opacity: 0; user-select: none; -webkit-user-select: none; }

@@ -44,7 +44,7 @@ test("what is copied of a book of flowing text has its paragraphs, without the e
   const paragraph =
     "Considerations of extraordinary <i>responsibilities</i> notwithstanding, administrators characteristically misunderstand constitutional <b>recommendations</b>.";
   const japanese = "吾輩は猫である名前はまだ無い".repeat(4);
-  const chapter = `<h6>Of <i>things</i><br/>and others</h6><p>${paragraph}</p><p lang="ja">${japanese}</p><p>One<br/>two</p><pre>a\nb</pre>`;
+  const chapter = `<h6>Of <i>things</i><br/>and others</h6><h6>Of none</h6><p>${paragraph}</p><p lang="ja">${japanese}</p><p>One<br/>two</p><pre>a\nb</pre>`;
   element.setAttribute("hyphens", "auto");
   element.setAttribute("lang", "en");
   element.pages = new File([tinyEpub({ chapters: [chapter] })], "flow.epub");
@@ -56,15 +56,54 @@ test("what is copied of a book of flowing text has its paragraphs, without the e
   getSelection()?.selectAllChildren(root().querySelector(".text") as HTMLElement);
   const read = paragraph.replace(/<.*?>/g, "");
   expect(String(getSelection()).trim().split("\n")).toEqual([
-    ...["Of things", "and others", read, japanese, "One", "two", "a", "b"],
+    ...["Of things", "and others", "Of none", read, japanese, "One", "two", "a", "b"],
   ]);
   // Screen readers find its headings.
   const headings = [...root().querySelectorAll<HTMLElement>(".text [role=heading]")];
   expect(headings.map(({ textContent, ariaLevel }) => [textContent, ariaLevel])).toEqual([
-    ["Of things", "6"],
-    ["and others", "6"],
+    ["Of thingsand others", "6"],
+    ["Of none", "6"],
   ]);
   element.removeAttribute("hyphens");
+});
+
+test("what crosses a page is copied as one paragraph, its divided word too, and is one heading", async () => {
+  const loaded = happens(element, "load");
+  const words = Array.from({ length: 160 }, (_, k) => `incomprehensibility${k}`).join(" ");
+  const style = "<style>h1 { break-inside: auto; font-size: 1em; font-weight: normal }</style>";
+  const chapter = `${style}<h1>${words}</h1><h1>Another</h1>`;
+  element.setAttribute("hyphens", "auto");
+  element.setAttribute("lang", "en");
+  element.setAttribute("layout", "spread");
+  element.pages = new File([tinyEpub({ chapters: [chapter] })], "flow.epub");
+  await loaded;
+  await settled(element);
+  const layer = (): Element => root().querySelector(".text") as Element;
+  const texts = (): (string | null)[] => [...layer().children].map((page) => page.textContent);
+  await element.goTo(2);
+  await settled(element);
+  await eventually(() => texts().filter((text) => text?.includes("incomp")).length).toBe(2);
+  const [, right] = texts();
+  // The page ends within a word.
+  expect(right).toMatch(/^[a-z]*y\d/);
+  expect(right).not.toMatch(/^incomprehensibility/);
+  getSelection()?.selectAllChildren(layer());
+  const copied = String(getSelection()).trim();
+  expect(words.includes(copied)).toBe(true);
+  const headings = layer().querySelectorAll("[role=heading]");
+  expect(headings.length).toBe(1);
+  const rest = root().getElementById(headings[0]?.getAttribute("aria-owns") ?? "");
+  expect(rest?.textContent).toBe(right);
+  // Beside other text than its beginning it is a heading of its own.
+  await element.goTo(element.pageCount);
+  await settled(element);
+  await eventually(() => layer()?.textContent).toMatch(/Another/);
+  const levels = [...layer().querySelectorAll("[role=heading]")].map(
+    ({ textContent, ariaLevel }) => [textContent?.slice(-7), ariaLevel],
+  );
+  expect(levels.at(-1)).toEqual(["Another", "1"]);
+  expect(levels.length).toBe(2);
+  for (const name of ["hyphens", "layout", "lang"]) element.removeAttribute(name);
 });
 
 test("the text is away while a leaf turns, and another lies there afterwards", async () => {

@@ -19,7 +19,7 @@ import { NotePopover } from "./note_popover.ts";
 import { type FieldPlace, type FieldValues, makeFields } from "./page_fields.ts";
 import { type LinkActions, makeLinks } from "./page_links.ts";
 import { layMarks, type ShownHit } from "./page_marks.ts";
-import { layText } from "./page_text.ts";
+import { joinHeadings, layText } from "./page_text.ts";
 import type { PageView } from "./page_view.ts";
 import { layOver, type Project, placeIn } from "./run_place.ts";
 import { keepSelection } from "./selecting.ts";
@@ -246,8 +246,15 @@ export class TextLayer {
       if (content === undefined) continue;
       isText ||= content.runs.length > 0 || content.alt !== "";
       this.#fill(group, content);
+      const previous = this.#groups.get(page - 1);
+      if (previous) joinHeadings(previous.text, group.text);
     }
     this.#options.onText(isText);
+  }
+
+  /** Returns the runs of an open page that are known. */
+  #runsOf(page: number): readonly TextRun[] {
+    return this.#contents.get(page)?.runs ?? [];
   }
 
   #fill(group: Group, content: Content): void {
@@ -261,7 +268,10 @@ export class TextLayer {
       );
     this.#marks.append(...layMarks(runs, this.#shown, page, project));
     if (content.isElement) group.element.removeAttribute("role");
-    else group.text.replaceChildren(...layText(runs, project));
+    else {
+      const [before, after] = [this.#runsOf(page - 1).at(-1), this.#runsOf(page + 1)[0]];
+      group.text.replaceChildren(...layText(runs, project, before, after));
+    }
     if (group.laid === null) {
       group.laid = this.#make(content);
       group.element.append(...group.laid.map(({ element }) => element));

@@ -48,7 +48,15 @@ export interface BindingOptions extends LayoutOptions {
 export interface Bindable {
   readonly source: Pick<
     PageSource,
-    "pageCount" | "direction" | "edge" | "layout" | "inSpread" | "kind" | "mayFace" | "cover"
+    | "pageCount"
+    | "usualLeaf"
+    | "direction"
+    | "edge"
+    | "layout"
+    | "inSpread"
+    | "kind"
+    | "mayFace"
+    | "cover"
   >;
   /** A page's size in the source's unit, and its width over its height: others once it is measured anew. */
   leaf: PageSize;

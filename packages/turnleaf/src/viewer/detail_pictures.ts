@@ -6,7 +6,7 @@
 import { type Face, isBoardFace } from "../book/faces.ts";
 import type { PageBitmaps } from "../pages/page_bitmaps.ts";
 import { closePicture } from "../pages/page_pool.ts";
-import type { PageBox, PagePicture, PageSource } from "../sources/page_source.ts";
+import type { PageBox, PagePicture, PageSize, PageSource } from "../sources/page_source.ts";
 import type { BookStage } from "../stage/book_stage.ts";
 import type { Bindable } from "./bound_book.ts";
 import { isCoarse, type OpenPage, texelsAt } from "./face_textures.ts";
@@ -87,14 +87,15 @@ export class DetailPictures {
   }
 
   /**
-   * Examines the open pages, at rest on a canvas of the given size in CSS
-   * pixels, and draws what is missing.
+   * Examines the open pages, at rest, and draws what is missing.
+   *
+   * @param canvas its size, CSS pixels
    */
-  look(open: readonly OpenPage[], width: number, height: number): void {
+  look(open: readonly OpenPage[], canvas: PageSize): void {
     this.keep(Object.fromEntries(open.map(({ face, page }) => [face, page])));
     for (const seen of open) {
       const { face, page } = seen;
-      const box = isCoarse(this.#stage, seen) ? this.#boxInSight(face, width, height) : null;
+      const box = isCoarse(this.#stage, seen) ? this.#boxInSight(face, canvas) : null;
       if (box === null) this.#drop(face);
       else {
         const across = texelsAt(this.#stage, face, ...middleOf(box));
@@ -185,7 +186,7 @@ export class DetailPictures {
   }
 
   /** Returns the part of a face that is visible on the canvas, or null. */
-  #boxInSight(face: Face, width: number, height: number): PageBox | null {
+  #boxInSight(face: Face, { width, height }: PageSize): PageBox | null {
     const at = Array.from({ length: strips + 1 }, (_, row) =>
       Array.from({ length: strips + 1 }, (_, column) =>
         this.#stage.projectOn(face, column / strips, row / strips),

@@ -7,6 +7,7 @@ import type { Turning } from "../book/turning.ts";
 import type { ModelSwitch } from "../leaf_models/model_switch.ts";
 import type { PageBitmaps } from "../pages/page_bitmaps.ts";
 import type { BookStage } from "../stage/book_stage.ts";
+import type { BookExtent } from "./book_extent.ts";
 import type { BoundBook } from "./bound_book.ts";
 import { type CameraMotion, ViewHistory } from "./camera_motion.ts";
 import type { CrossFade } from "./cross_fade.ts";
@@ -33,8 +34,8 @@ export interface FrameParts {
   readonly sheets: SheetCommands;
   /** Applies the changes of the binding that wait for the book's rest. */
   readonly bindAnew: () => void;
-  /** Returns the width and the height of the canvas, CSS pixels. */
-  readonly size: () => readonly [width: number, height: number];
+  /** How large the book is shown. */
+  readonly extent: Pick<BookExtent, "canvas">;
 }
 
 /** Draws the frames of one viewer. */
@@ -194,7 +195,7 @@ export class FrameLoop {
     if (!resting) sharpness.pause();
     else if (!turning) {
       const drawn = this.#bound.faceTextures.open.filter(({ page }) => !this.isElement(page));
-      sharpness.look(drawn, ...this.#parts.size());
+      sharpness.look(drawn, this.#parts.extent.canvas);
     }
     const isMoving = stepping || this.#handled || crossFade.isOn || (turning && !peek.flight);
     this.viewHistory.update(isMoving ? "" : this.#viewKey);

@@ -6,7 +6,7 @@ import { applyPaper, type Paper, scaleOf } from "../book/paper.ts";
 import { type Binding, type Layout, pageOf, pagesAt, spineOf, spreadOf } from "../book/spreads.ts";
 import type { BookEngine, BookSize } from "../engine/book_engine.ts";
 import type { PageBitmaps } from "../pages/page_bitmaps.ts";
-import { type NewIndex, placeOf } from "../sources/page_source.ts";
+import { type NewIndex, type PageSize, placeOf } from "../sources/page_source.ts";
 import type { BookStage } from "../stage/book_stage.ts";
 import {
   type Bindable,
@@ -150,18 +150,18 @@ export class Rebinder {
     this.#changePaper();
   }
 
-  /** Returns whether the layout for a place of some CSS pixels is the current one. */
-  suits(width: number, height: number): boolean {
-    return this.#plan(width, height).binding.layout === this.#bound.binding.layout;
+  /** Returns whether the layout for a place of some size, CSS pixels, is the current one. */
+  suits(room: PageSize): boolean {
+    return this.#plan(room).binding.layout === this.#bound.binding.layout;
   }
 
   /**
    * Call it when the book has come to rest, or was laid open elsewhere: the page
    * may have to be shown by itself there.
    *
-   * @param width,height of the available space, CSS pixels
+   * @param room the available space, CSS pixels
    */
-  rested(width: number, height: number): void {
+  rested(room: PageSize): void {
     this.#changePaper();
     const { binding, turning } = this.#bound;
     // Of two visible pages, the requested one stays the place.
@@ -171,21 +171,21 @@ export class Rebinder {
     const { source } = this.#parts.book;
     const mayChange =
       source.inSpread?.(this.#place - 1) === "single" || binding.layout !== this.#usual;
-    if (mayChange && !this.suits(width, height)) this.#mustBind = true;
+    if (mayChange && !this.suits(room)) this.#mustBind = true;
   }
 
   /**
    * Applies waiting changes and keeps the visible page in sight; only while
    * nothing moves.
    *
-   * @param width,height of the available space, CSS pixels
+   * @param room the available space, CSS pixels
    */
-  bindAnew(width: number, height: number): void {
+  bindAnew(room: PageSize): void {
     for (const change of this.#changes.splice(0)) change();
     if (!this.#mustBind) return;
     this.#mustBind = false;
     const before = this.#bound;
-    const plan = this.#plan(width, height);
+    const plan = this.#plan(room);
     this.#usual = plan.usual;
     const engine = this.#nextEngine ?? before.engine;
     this.#parts.stage.bind(plan.shape, engine.creases !== undefined);
@@ -204,7 +204,7 @@ export class Rebinder {
     this.#nextEngine?.destroy();
   }
 
-  #plan(width: number, height: number): BindingLayout {
+  #plan({ width, height }: PageSize): BindingLayout {
     return layOutBinding(this.#parts.book, this.#options, width, height, this.#place, this.#usual);
   }
 

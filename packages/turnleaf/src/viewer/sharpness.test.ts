@@ -25,13 +25,14 @@ test("nothing is loaded for pages that are sharp, and a failure is reported once
   };
   const sharpness = new Sharpness(tools as unknown as SharpnessParts);
   const seen = (width: number): OpenPage[] => [{ face: "left", page: 2, width }];
-  for (const width of [0, 1200, Number.POSITIVE_INFINITY]) sharpness.look(seen(width), 800, 600);
+  for (const width of [0, 1200, Number.POSITIVE_INFINITY])
+    sharpness.look(seen(width), { width: 800, height: 600 });
   expect(sharpness.settled).toBe(true);
-  sharpness.look(seen(500), 800, 600);
+  sharpness.look(seen(500), { width: 800, height: 600 });
   expect(sharpness.settled).toBe(false);
   await expect.poll(() => sharpness.settled).toBe(true);
   expect(arrived).toBe(1);
-  sharpness.look(seen(500), 800, 600);
+  sharpness.look(seen(500), { width: 800, height: 600 });
   expect(sharpness.settled).toBe(true);
   expect(reports).toHaveLength(1);
   expect(String(reports[0])).toMatch("A part of the reader failed");

@@ -2,6 +2,7 @@
 
 import type { Face } from "../book/faces.ts";
 import { loadPart } from "../sources/load_part.ts";
+import type { PageSize } from "../sources/page_source.ts";
 import type { DetailPictures, SharpnessParts } from "./detail_pictures.ts";
 import { isCoarse, type OpenPage } from "./face_textures.ts";
 
@@ -22,11 +23,12 @@ export class Sharpness {
   }
 
   /**
-   * Examines the open pages, at rest on a canvas of the given size in CSS
-   * pixels, and draws what is missing.
+   * Examines the open pages, at rest, and draws what is missing.
+   *
+   * @param canvas its size, CSS pixels
    */
-  look(open: readonly OpenPage[], width: number, height: number): void {
-    if (this.#details) this.#details.look(open, width, height);
+  look(open: readonly OpenPage[], canvas: PageSize): void {
+    if (this.#details) this.#details.look(open, canvas);
     else if (!this.#isAsked && open.some((page) => isCoarse(this.#tools.stage, page))) this.#load();
   }
 

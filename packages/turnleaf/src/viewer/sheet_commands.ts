@@ -6,9 +6,10 @@ import { isCover, leafOf, pagesAt } from "../book/spreads.ts";
 import type { TearLine } from "../engine/shapes.ts";
 import type { PageBitmaps } from "../pages/page_bitmaps.ts";
 import type { BookPose } from "../stage/book_pose.ts";
-import type { BookStage, Place } from "../stage/book_stage.ts";
+import type { BookStage } from "../stage/book_stage.ts";
 import type { Zoom } from "../stage/zoom.ts";
 import type { Backend } from "./backend.ts";
+import type { BookExtent } from "./book_extent.ts";
 import type { Folds } from "./folds.ts";
 import type { Rebinder } from "./rebinder.ts";
 import type { Tearing } from "./tearing.ts";
@@ -33,10 +34,8 @@ export interface SheetHooks {
   readonly dropCorner: () => Promise<boolean>;
   /** Lays the book open at a spread, where its place is from then on. */
   readonly lay: (spread: number) => void;
-  /** Returns whether a place is on the canvas. */
-  readonly isSeen: (place: Place) => boolean;
-  /** Returns the width and the height of the canvas, CSS pixels. */
-  readonly canvas: () => readonly [width: number, height: number];
+  /** How large the book is shown. */
+  readonly extent: Pick<BookExtent, "canvas" | "contains">;
   /** Calls `look` with the camera as it is when it shows the whole book and nothing else. */
   readonly lookAtRest: <T>(look: () => T) => T;
   /** Sets what is shown at zoom level 1, in so many seconds. */
@@ -214,7 +213,7 @@ export class SheetCommands {
     try {
       const [loaded] = await Promise.all([backend.tearing?.(), this.useCreasable()]);
       if (loaded && owner) {
-        const { moved, lay, isSeen, canvas, lookAtRest, showWhole } = this.#hooks;
+        const { moved, lay, extent, lookAtRest, showWhole } = this.#hooks;
         const hooks = {
           line: () => this.#line,
           mayTear: (pages: readonly number[]) => owner.mayTear(pages),
@@ -222,8 +221,7 @@ export class SheetCommands {
           heard: (work: number) => owner.heard(work),
           moved,
           lay,
-          isSeen,
-          canvas,
+          extent,
           lookAtRest,
           showWhole,
         };

@@ -27,7 +27,7 @@ function seenOf(shape: BookShape, [width, height]: readonly [number, number]): T
     const [x, y] = [along(view.right) / (half * (width / height)), along(view.up) / half];
     return { x: ((1 + x) / 2) * width, y: ((1 - y) / 2) * height };
   };
-  return seenTable(shape, seen, [width, height]);
+  return seenTable(shape, seen, { width, height });
 }
 
 /** Returns what of the table a view shows. */

@@ -1,6 +1,7 @@
 /** Where loose sheets are put beside the book, and from where both are seen. Pure arithmetic. */
 
 import type { Vec3 } from "../engine/shapes.ts";
+import type { PageSize } from "../sources/page_source.ts";
 import type { BookShape } from "../stage/book_pose.ts";
 import type { Place } from "../stage/book_stage.ts";
 import { tableHeight } from "../stage/case_sizes.ts";
@@ -30,12 +31,12 @@ const axes = [0, 1] as const;
  * Returns what is seen of the table where a view shows the whole book.
  *
  * @param seen where points of book space are on the canvas, while the book lies open
- * @param canvas width and height of the canvas, CSS pixels
+ * @param canvas its size, CSS pixels
  */
 export function seenTable(
   shape: BookShape,
   seen: (point: Vec3) => Place,
-  canvas: readonly [width: number, height: number],
+  canvas: PageSize,
 ): TableArea {
   const table = tableHeight(shape);
   const { width, height } = shape;
@@ -46,8 +47,8 @@ export function seenTable(
   ];
   const [a, b] = [(across.x - at.x) / width, (along.x - at.x) / height];
   const [c, d] = [(across.y - at.y) / width, (along.y - at.y) / height];
-  const corners = [0, canvas[0]].flatMap((x) =>
-    [0, canvas[1]].map((y) => {
+  const corners = [0, canvas.width].flatMap((x) =>
+    [0, canvas.height].map((y) => {
       const [right, down] = [x - at.x, y - at.y];
       const by = a * d - b * c;
       return [(d * right - b * down) / by, (a * down - c * right) / by] as const;

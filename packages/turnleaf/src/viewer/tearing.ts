@@ -23,9 +23,10 @@ import { pileHeight, type Surface, type TearLine, type Vec3 } from "../engine/sh
 import type { PageBitmaps } from "../pages/page_bitmaps.ts";
 import { onPlane } from "../picking/reach.ts";
 import type { BookPose } from "../stage/book_pose.ts";
-import type { BookStage, Place } from "../stage/book_stage.ts";
+import type { BookStage } from "../stage/book_stage.ts";
 import { tableHeight } from "../stage/case_sizes.ts";
 import type { Zoom } from "../stage/zoom.ts";
+import type { BookExtent } from "./book_extent.ts";
 import type { Drag } from "./drag.ts";
 import { stepSheets } from "./frame_timing.ts";
 import { LooseSheetPile } from "./loose_sheets.ts";
@@ -58,10 +59,8 @@ export interface TearHooks extends TearOwner {
   readonly moved: () => void;
   /** Lays the book open at a spread, where its place is from then on. */
   readonly lay: (spread: number) => void;
-  /** Returns whether a place is on the canvas. */
-  readonly isSeen: (place: Place) => boolean;
-  /** Returns the width and the height of the canvas, CSS pixels. */
-  readonly canvas: () => readonly [width: number, height: number];
+  /** How large the book is shown. */
+  readonly extent: Pick<BookExtent, "canvas" | "contains">;
   /** Calls `look` with the camera as it is when it shows the whole book and nothing else. */
   readonly lookAtRest: <T>(look: () => T) => T;
   /** Sets what is shown at zoom level 1, in so many seconds. */
@@ -110,11 +109,11 @@ export class Tearing {
     this.#loose = new LooseSheetPile(rebinder, {
       moved: hooks.moved,
       rayAt: (x, y) => stage.rayAt(x, y),
-      isSeen: (point) => hooks.isSeen(stage.project(point)),
+      isSeen: (point) => hooks.extent.contains(stage.project(point)),
       seenTable: () =>
         hooks.lookAtRest(() => {
           const { shape } = rebinder.bound;
-          return seenTable(shape, (point) => stage.projectOpen(point), hooks.canvas());
+          return seenTable(shape, (point) => stage.projectOpen(point), hooks.extent.canvas);
         }),
       showWhole: hooks.showWhole,
       heard: (work) => hooks.heard(work),

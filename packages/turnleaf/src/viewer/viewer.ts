@@ -19,6 +19,7 @@ import type { BookStage, Place } from "../stage/book_stage.ts";
 import type { Zoom } from "../stage/zoom.ts";
 import type { PageTheme } from "../themes.ts";
 import type { Backend } from "./backend.ts";
+import { BookExtent } from "./book_extent.ts";
 import {
   type Bindable,
   type BindingLayout,
@@ -51,6 +52,8 @@ export class Viewer {
   readonly commands: LeafCommands;
   /** Folds its leaves, and tears them out. */
   readonly sheets: SheetCommands;
+  /** How large it is shown. */
+  readonly extent: BookExtent;
   readonly #options: ViewerOptions;
   readonly #stage: BookStage;
   readonly #source: PageSource;
@@ -63,12 +66,6 @@ export class Viewer {
   readonly #modelSwitch: ModelSwitch;
   readonly #rebinder: Rebinder;
   readonly #frames: FrameLoop;
-  #cssWidth = 0;
-  #cssHeight = 0;
-  /** The size of the place for which the book is laid out, CSS pixels. */
-  #room: PageSize = { width: 0, height: 0 };
-  /** The size of the last `resize`, the pixel ratio and the scale. */
-  #sizes: readonly number[] = [];
   #destroyed = false;
 
   private constructor(
@@ -129,23 +126,24 @@ export class Viewer {
       moved: arrived,
       landed: () => this.#show(),
       rested: (from, to) => {
-        this.#rebinder.rested(this.#room.width, this.#room.height);
+        this.#rebinder.rested(this.extent.room);
         options.onRest(from, to);
       },
     };
     const tools = { book, stage, pictures: this.#bitmaps, options, events };
     this.#rebinder = new Rebinder(tools, plan, engine);
     this.#rebinder.targets.foldOut = this.#foldOut;
-    this.commands = new LeafCommands(this.#rebinder, this.#foldOut, arrived);
+    const rebinder = this.#rebinder;
+    this.extent = new BookExtent({ book, stage, camera: this.#camera, rebinder });
+    this.commands = new LeafCommands(rebinder, this.#foldOut, arrived);
     this.sheets = new SheetCommands(
-      { rebinder: this.#rebinder, bitmaps: this.#bitmaps, stage, backend, options },
+      { rebinder, bitmaps: this.#bitmaps, stage, backend, options },
       {
         moved: () => this.#show(),
         bindSoon: () => this.#bindSoon(),
         dropCorner: () => this.commands.dropCorner(),
         lay: (spread) => this.#layBare(spread),
-        isSeen: ({ x, y }) => x >= 0 && y >= 0 && x <= this.#cssWidth && y <= this.#cssHeight,
-        canvas: () => [this.#cssWidth, this.#cssHeight],
+        extent: this.extent,
         lookAtRest: (look) => this.#camera.lookAtRest(look),
         showWhole: (whole, seconds) => {
           this.#camera.showWhole(whole, options.calm?.() ? 0 : seconds);
@@ -157,9 +155,9 @@ export class Viewer {
       window: canvas.ownerDocument.defaultView ?? window,
       ...{ options, stage, bitmaps: this.#bitmaps, camera: this.#camera },
       ...{ crossFade: this.#crossFade, sharpness: this.#sharpness, foldOut: this.#foldOut },
-      ...{ modelSwitch: this.#modelSwitch, rebinder: this.#rebinder, sheets: this.sheets },
+      ...{ modelSwitch: this.#modelSwitch, rebinder, sheets: this.sheets },
       bindAnew: () => this.#bindAnew(),
-      size: () => [this.#cssWidth, this.#cssHeight],
+      extent: this.extent,
     });
   }
 
@@ -212,23 +210,6 @@ export class Viewer {
     return this.#bound.binding;
   }
 
-  /** Width over height of a place that two pages fill. */
-  get placeRatio(): number {
-    const { width, height } = this.#usualLeaf;
-    return this.#bound.shape.quarterTurned ? width / (2 * height) : (2 * width) / height;
-  }
-
-  /** Width of that place in CSS pixels where a page is as large as its source says, whose unit counts as one. */
-  get placeWidth(): number {
-    const { width } = this.#usualLeaf;
-    return this.#bound.shape.quarterTurned ? width : 2 * width;
-  }
-
-  /** What a place is sized for does not follow from the place. */
-  get #usualLeaf(): PageSize {
-    return this.#source.usualLeaf ?? this.#book.leaf;
-  }
-
   /** Where the book lies open and how it gets elsewhere; replaced with every binding. */
   get turning(): Turning {
     return this.#bound.turning;
@@ -241,57 +222,6 @@ export class Viewer {
     if (!turning.moving) return "resting";
     if (peek.flight) return "lifting";
     return turning.hasHeld ? "dragged" : "turning";
-  }
-
-  /**
-   * Where the open book lies, or would: the rectangle around the places of its
-   * two pages, or of the one that stands alone, CSS pixels on the canvas.
-   */
-  get bounds(): { readonly from: Place; readonly to: Place } {
-    const { width, height, thickness, alone } = this.#bound.shape;
-    const [left, right] = [alone === 1 ? 0 : -width, alone === -1 ? 0 : width];
-    const corners = [left, right].flatMap((x) =>
-      [0, height].map((y) => this.#stage.projectOpen([x, y, thickness / 2])),
-    );
-    const [xs, ys] = [corners.map(({ x }) => x), corners.map(({ y }) => y)];
-    return {
-      from: { x: Math.min(...xs), y: Math.min(...ys) },
-      to: { x: Math.max(...xs), y: Math.max(...ys) },
-    };
-  }
-
-  /**
-   * How wide a page of the open book is shown, CSS pixels, where it is not zoomed and has its whole room; 0
-   * before the book has a size, and while a page is shown by itself that others are not like.
-   */
-  get pageWidth(): number {
-    if (this.#cssWidth === 0 || this.#rebinder.isAside) return 0;
-    const { alone, quarterTurned } = this.#bound.shape;
-    return this.#widthIn(this.#room) / (alone !== 0 || quarterTurned ? 1 : 2);
-  }
-
-  /**
-   * Returns how large the book would be shown if its room were narrower, as a fraction of its size in the
-   * whole room.
-   *
-   * @param width by which it would be, CSS pixels
-   */
-  fractionBeside(width: number): number {
-    const room = this.#room;
-    if (this.#cssWidth === 0 || width >= room.width) return 1;
-    return this.#widthIn({ ...room, width: room.width - width }) / this.#widthIn(room);
-  }
-
-  /** Returns how wide the open book is shown in a place of some size where it is not zoomed, CSS pixels. */
-  #widthIn({ width, height }: PageSize): number {
-    const [cssWidth = 0, cssHeight = 0, pixelRatio = 1, scale] = this.#sizes;
-    // Within it, as a smaller stage would move what is zoomed.
-    return this.#camera.lookAtRest(() => {
-      this.#stage.resize(width, height, pixelRatio, scale);
-      const { from, to } = this.bounds;
-      this.#stage.resize(cssWidth, cssHeight, pixelRatio, scale);
-      return to.x - from.x;
-    });
   }
 
   /** The drags of pointers on it; replaced with every binding. */
@@ -375,16 +305,11 @@ export class Viewer {
     scale = 1,
     room: PageSize = { width: cssWidth, height: cssHeight },
   ): void {
-    const sizes = [cssWidth, cssHeight, pixelRatio, scale, room.width, room.height];
     // An observer reports the size that is known already, and a frame of the same costs as much as another.
-    if (sizes.every((size, k) => size === this.#sizes[k])) return;
-    this.#sizes = sizes;
-    this.#cssWidth = cssWidth;
-    this.#cssHeight = cssHeight;
-    this.#room = room;
-    this.#stage.resize(cssWidth, cssHeight, pixelRatio, scale);
+    if (!this.extent.resize({ width: cssWidth, height: cssHeight }, pixelRatio, scale, room))
+      return;
     this.sheets.resized();
-    if (!this.#rebinder.suits(room.width, room.height)) {
+    if (!this.#rebinder.suits(room)) {
       this.#rebinder.bindSoon();
       this.#bindSoon();
     }
@@ -396,7 +321,7 @@ export class Viewer {
   lay(spread: number): void {
     this.#foldOut.close();
     this.turning.lay(clampSpread(this.binding, spread));
-    this.#rebinder.rested(this.#room.width, this.#room.height);
+    this.#rebinder.rested(this.extent.room);
     this.#bindAnew();
     this.#show();
   }
@@ -523,7 +448,7 @@ export class Viewer {
    * @param x,y fractions of the page from its upper left corner
    */
   project(page: number, x: number, y: number): Place | null {
-    if (this.#destroyed || this.#cssWidth === 0) return null;
+    if (this.#destroyed || this.extent.isEmpty) return null;
     if (this.turning.moving && this.#bound.peek.flight === null) return null;
     const face = faceOf(this.binding, this.turning.spread, page);
     if (face === null || !this.#bitmaps.isBare(page, x)) return null;
@@ -559,7 +484,7 @@ export class Viewer {
   /** Whether every visible page is shown at its full sharpness. */
   get settled(): boolean {
     // Before the book has a size no page is requested, so none is missing.
-    if (this.#cssWidth === 0 || this.#frames.isRequested || this.#stage.isLost) return false;
+    if (this.extent.isEmpty || this.#frames.isRequested || this.#stage.isLost) return false;
     if (this.#foldOut.isMaking) return false;
     return this.#bitmaps.settled && this.#sharpness.settled;
   }
@@ -614,7 +539,7 @@ export class Viewer {
     const before = this.binding;
     const page = pageOf(before, this.turning.spread);
     const isRenumbered = this.#rebinder.willRenumber;
-    this.#rebinder.bindAnew(this.#room.width, this.#room.height);
+    this.#rebinder.bindAnew(this.extent.room);
     this.sheets.bound();
     this.#frames.bound();
     const { edge, layout } = this.binding;
@@ -629,7 +554,7 @@ export class Viewer {
   #layBare(spread: number): void {
     const from = this.turning.restedAt;
     this.turning.lay(spread);
-    this.#rebinder.rested(this.#room.width, this.#room.height);
+    this.#rebinder.rested(this.extent.room);
     if (from !== spread) this.#options.onRest(from, spread);
   }
 
@@ -661,7 +586,7 @@ export class Viewer {
   /** Updates the bitmap of every face, and requests the pages wanted next. Returns whether any is new. */
   #updateFaces(): boolean {
     const { faceTextures: picturing } = this.#bound;
-    if (this.#cssWidth > 0) picturing.want(this.#bitmapWidths);
+    if (!this.extent.isEmpty) picturing.want(this.#bitmapWidths);
     const hasChanged = picturing.show(this.#foldOut.parts, this.#frames.isStill);
     this.sheets.show();
     this.#sharpness.keep(picturing.pages);

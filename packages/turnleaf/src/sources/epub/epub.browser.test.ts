@@ -31,6 +31,15 @@ const textOf = async (source: PageSource, index: number): Promise<string> =>
     .map(({ text, end }) => text + (end ? "\n" : ""))
     .join("");
 
+/** Returns the colours of a page's pixels but for the margin at its foot, in a line. */
+async function pixelsOf(source: PageSource, index: number): Promise<string> {
+  const { width } = await source.size(index);
+  const bitmap = (await source.draw(index, width, never)) as ImageBitmap;
+  const pen = new OffscreenCanvas(bitmap.width, bitmap.height).getContext("2d");
+  pen?.drawImage(bitmap, 0, 0);
+  return pen?.getImageData(0, 0, bitmap.width, bitmap.height * 0.8).data.join() ?? "";
+}
+
 describe("an EPUB", () => {
   test("fulfils the contract of a source", async () => {
     const chapters = [
@@ -129,27 +138,60 @@ describe("its pages", () => {
     expect(runs.find(({ text }) => text === "one")?.x).toBeGreaterThan(300);
   });
 
-  test("hold the forms of letters that the browser knows beside one that it does not, and lose no text", async () => {
+  test("hold all forms of letters that a style asks for, and what the book wrote is their text", async () => {
+    const text = "letter \u3041";
+    const [wide, capitals] = ["\uff4c\uff45\uff54\uff54\uff45\uff52", "LETTER"];
+    const wideCapitals = "\uff2c\uff25\uff34\uff34\uff25\uff32";
     const forms = [
-      ...["uppercase full-width", "FULL-WIDTH  uppercase", "full-size-kana uppercase full-width"],
-      ...["uppercase full-width !important", "full-width", "full-size-kana full-width", "none"],
-    ];
+      ["uppercase full-width", `${wideCapitals} \u3041`],
+      ["FULL-WIDTH  uppercase", `${wideCapitals} \u3041`],
+      ["full-size-kana uppercase full-width", `${wideCapitals} \u3042`],
+      ["uppercase full-width !important", `${wideCapitals} \u3041`],
+      ["-epub-fullwidth", `${wide} \u3041`],
+      ["full-size-kana", "letter \u3042"],
+      ["uppercase", `${capitals} \u3041`],
+      ["none", text],
+      ["var(--none, uppercase)", `${capitals} \u3041`],
+    ] as const;
+    const inherited = [`<p>${text}</p>`, ...["c6", "c7"].map((c) => `<p class="${c}">${text}</p>`)];
     const source = await laidOut({
       chapters: [
-        forms.map((_, k) => `<p class="c${k}">letter\u3041</p>`).join("") +
-          forms.map((form) => `<p style="text-transform: ${form}">letter\u3041</p>`).join(""),
+        forms.map((_, k) => `<p class="c${k}">${text}</p>`).join(""),
+        forms.map(([form]) => `<p style="text-transform: ${form}">${text}</p>`).join(""),
+        forms.map(([, shown]) => `<p>${shown}</p>`).join(""),
+        `<div class="c4">${inherited.join("")}</div>`,
+        [forms[4][1], forms[6][1], text].map((shown) => `<p>${shown}</p>`).join(""),
       ],
-      css: forms.map((form, k) => `.c${k} { text-transform:${form} }`).join(""),
+      css: forms.map(([form], k) => `.c${k} { text-transform:${form} }`).join(""),
     });
-    const runs = (await source.text?.(0, never)) ?? [];
-    expect(runs.map(({ text }) => text)).toEqual(Array(2 * forms.length).fill("letter\u3041"));
-    // Capitals are wider.
-    const least = runs[forms.indexOf("none")]?.width ?? 0;
-    const isCapital = runs.map(({ width }) => width > least + 5);
-    const meant = [...[true, true, true, true], ...[false, false, false]];
-    if (!CSS.supports("text-transform", "full-width")) {
-      expect(isCapital).toEqual([...meant, ...meant]);
-    }
+    const lines = `${text}\n`;
+    expect(await textOf(source, 0)).toBe(lines.repeat(forms.length));
+    expect(await textOf(source, 1)).toBe(lines.repeat(forms.length));
+    expect(await textOf(source, 3)).toBe(lines.repeat(3));
+    // Each is drawn as if the book had written it in these forms.
+    const [byRules, byAttributes, outright, inRules, inOutright] = await Promise.all(
+      [0, 1, 2, 3, 4].map((page) => pixelsOf(source, page)),
+    );
+    expect(byRules).toBe(outright);
+    expect(byAttributes).toBe(outright);
+    expect(inRules).toBe(inOutright);
+  });
+
+  test("have blanks that are kept, and narrow and small kana, in the forms that a style asks for", async () => {
+    const note = (text: string) =>
+      `<a href="#n" role="doc-noteref">${text}</a><aside id="n">${text}</aside>`;
+    const source = await laidOut({
+      chapters: [
+        `<div style="text-transform: full-width"><pre>a b</pre><p>\uff76\uff9e\uffa1\uffe9&#xa5;</p></div><div style="text-transform: full-size-kana">\u3063${note("\uff6f")}</div>`,
+        `<div><pre>\uff41\u3000\uff42</pre><p>\u30ab\u3099\u3131\u2190\uffe5</p></div><div>\u3064${note("\uff82")}</div>`,
+      ],
+    });
+    expect(await textOf(source, 0)).toBe(
+      "a b\n\uff76\uff9e\uffa1\uffe9\u00a5\n\u3063\uff6f\n\uff6f\n",
+    );
+    expect(await pixelsOf(source, 0)).toBe(await pixelsOf(source, 1));
+    const [link] = (await source.links?.(0, never)) ?? [];
+    expect([link?.title, link?.note]).toEqual(["\uff6f", "\uff6f"]);
   });
 
   test("show each picture on its own page, and none that is on another", async () => {
@@ -449,12 +491,14 @@ describe("links", () => {
       `<aside id="${id}" ${meaning}>The  ${id} note. <a role="doc-backlink" href="#r">back</a></aside>`;
     const source = await laidOut({
       chapters: [
-        `<p><a epub:type="noteref" href="#first">1</a> <a role="doc-noteref" href="c2.xhtml#second">2</a> <a href="#first">3</a> <a epub:type="noteref" href="#none">4</a></p>${note("first", 'epub:type="footnote"')}`,
-        `${note("second", 'role="doc-endnote"')}`,
+        `<p><a epub:type="noteref" href="#first">1</a> <a role="doc-noteref" href="c2.xhtml#second">2</a> <a href="#first">3</a> <a epub:type="noteref" href="#none">4</a> <a epub:type="noteref" href="c2.xhtml#arrow">5</a></p>${note("first", 'epub:type="footnote"')}`,
+        `${note("second", 'role="doc-endnote"')}<aside epub:type="footnote" id="arrow">An arrow \u2192 <a href="#x">\u2192 that</a>. <a href="c1.xhtml#r5">\u21a9\ufe0e</a></aside>`,
       ],
     });
-    const notes = (await source.links?.(0, never))?.slice(0, 4).map(({ note }) => note);
-    expect(notes).toEqual(["The first note.", "The second note.", undefined, undefined]);
+    const notes = (await source.links?.(0, never))?.slice(0, 5).map(({ note }) => note);
+    // An arrow alone leads back, whatever it does not say of itself.
+    const arrow = "An arrow \u2192 \u2192 that.";
+    expect(notes).toEqual(["The first note.", "The second note.", undefined, undefined, arrow]);
   });
 
   test("lead to pages of the book and to the web, and nowhere else", async () => {

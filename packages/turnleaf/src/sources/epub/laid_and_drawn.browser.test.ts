@@ -86,6 +86,38 @@ test("rules by namespace hold in every sheet of a chapter, as laid out so as dra
   await expectDrawnAsLaid(source);
 });
 
+test("a drawing without a viewBox that is larger than a page is smaller, and nothing of it is cut", async () => {
+  const drawing = (size: string, x: number, y: number, word: string): string =>
+    `<svg xmlns="http://www.w3.org/2000/svg" ${size}><text x="${x}" y="${y}" font-size="60">${word}</text></svg>`;
+  const source = await laidOutEpub({
+    chapters: [
+      `<p>A</p>${drawing('width="1000" height="200"', 700, 100, "far")}<p>B</p>`,
+      `<p>C</p>${drawing('width="300" height="2000"', 10, 1900, "low")}<p>D</p>`,
+      `<p>E</p>${drawing('style="width: 900px; height: 100px"', 700, 60, "set")}${drawing('width="100%" height="100"', 10, 60, "own")}`,
+    ],
+  });
+  const pages = await pagesOf(source);
+  const words = pages.join(" ");
+  for (const word of ["far", "low", "set", "own"]) expect(words).toContain(word);
+  const runs = await Promise.all(pages.map((_, k) => source.text?.(k, never) ?? []));
+  const own = runs.flat().find(({ text }) => text === "own");
+  // What has room stays as large as it is.
+  expect(own?.height).toBeGreaterThan(55);
+  await expectDrawnAsLaid(source);
+});
+
+test("a table beside a float that ends before it leaves no page empty", async () => {
+  const float = `<div style="float: left; width: 50%">${prose(3)}</div>`;
+  const source = await laidOutEpub({
+    chapters: [
+      `${float}<table><tr><td>${prose(12)}</td><td>${prose(3)}</td></tr></table><p>end</p>`,
+    ],
+  });
+  const pages = await pagesOf(source);
+  expect(pages.filter((text) => letters(text) === "")).toEqual([]);
+  expect(pages.at(-1)).toContain("end");
+});
+
 test.each([
   ["page-break-before: always", 2],
   ["break-before: page", 2],

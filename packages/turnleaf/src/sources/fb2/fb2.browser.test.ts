@@ -74,6 +74,21 @@ test("it is read from a ZIP, in UTF-16 and in windows-1251", async () => {
   }
 });
 
+test("without a declaration its encoding is found by its letters, whatever pictures are in it", async () => {
+  const picture = `<binary id="a" content-type="image/png">${"\nAbCd09+/wXyZ".repeat(4).replaceAll("\n", "").padEnd(76, "q").concat("\n").repeat(800)}</binary>`;
+  const text = tinyFb2(
+    "<section><p>Мороз и солнце; день чудесный! Еще ты дремлешь, друг прелестный, пора, красавица, проснись: открой сомкнуты негой взоры навстречу северной Авроры, звездою севера явись!</p></section>",
+    picture,
+  );
+  const bytes = Uint8Array.from(text.replace(/<\?.*?\?>/, "<?xml version='1.0'?>"), (letter) => {
+    const code = letter.charCodeAt(0);
+    return code < 128 ? code : code - 0x410 + 0xc0;
+  });
+  const source = await openSource(new Blob([bytes]));
+  expect((await textsOf(source, " ")).join(" ")).toContain("Мороз и солнце; день чудесный!");
+  source.close();
+});
+
 test("scripts in it do not run, nothing is fetched, and entities that multiply are not expanded", async () => {
   const bad =
     '<section><p>One<script xmlns="http://www.w3.org/1999/xhtml">parent.ran = 1</script><image l:href="https://elsewhere.invalid/a.png"/></p><a l:href="javascript:parent.ran = 1">two</a></section>';

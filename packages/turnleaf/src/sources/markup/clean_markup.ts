@@ -28,6 +28,7 @@ import {
 import { resolveExtensions, resolveSwitches } from "./content_switches.ts";
 import { prepareFormulas } from "./formulas.ts";
 import { framePicture, frameSize } from "./frame_picture.ts";
+import { styleStandIn } from "./parse_markup.ts";
 import { isXmlAttribute } from "./xml.ts";
 
 /** The files that a chapter names. */
@@ -57,7 +58,7 @@ const mostFrames = 20;
 
 /** What is shown in no page. */
 const unshown =
-  "script, style, link, meta, base, iframe, frame, embed, audio, track, source, template";
+  "script, noframes, link, meta, base, iframe, frame, embed, audio, track, source, template";
 
 const purify = createPurify(globalThis.window);
 purify.addHook("uponSanitizeAttribute", (element, attribute) => {
@@ -221,7 +222,7 @@ async function stylesOf(document: Document, files: MarkupFiles): Promise<readonl
     if (href) sheets.push(() => files.style(href));
   }
   let preferred = "";
-  for (const element of document.querySelectorAll("style, link[rel][href]")) {
+  for (const element of document.querySelectorAll(`${styleStandIn}, link[rel][href]`)) {
     const [media = "", type = "", title = ""] = ["media", "type", "title"].map((name) =>
       element.getAttribute(name)?.trim(),
     );
@@ -231,7 +232,7 @@ async function stylesOf(document: Document, files: MarkupFiles): Promise<readonl
     // Of sheets that have titles, those of the first are the document's; others are for readers to choose.
     preferred ||= title;
     if (!/^$|css/i.test(type) || (title !== "" && title !== preferred)) continue;
-    if (element.localName === "style") {
+    if (element.localName !== "link") {
       sheets.push(async () => {
         const css = element.textContent ?? "";
         return inMedia([await cleanCss(css, (to) => files.data(to), files.nameOf)], media);

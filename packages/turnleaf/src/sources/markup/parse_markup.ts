@@ -12,9 +12,16 @@ export type MarkupType =
 /** An element's own style, in a tag. */
 const ownStyle = /(<[a-z][^<>]*?\s)style(?=\s*=)/gi;
 
+/** The tags of a style sheet, up to its name. */
+const styleTag = /(<\/?(?:[\w.-]{1,99}:)?)style(?=[\s/>])/gi;
+
+/** What stands for a style sheet: an element whose text means nothing, wherever and in whatever markup it is. */
+export const styleStandIn = "noframes";
+
 /**
  * Returns markup as a document in which nothing runs and nothing is loaded, and no element stands for a
- * member of it. The elements' own styles are in `styleAttribute`.
+ * member of it. The elements' own styles are in `styleAttribute`, and each style sheet is a `styleStandIn`:
+ * where a page's policy forbids inline styles, the browser would report both.
  */
 export function parseMarkup(text: string, type: MarkupType): Document {
   return parseBounded(withBoundedTags(text), type);
@@ -22,7 +29,9 @@ export function parseMarkup(text: string, type: MarkupType): Document {
 
 /** As `parseMarkup`, of text that `withBoundedTags` has returned. */
 export function parseBounded(text: string, type: MarkupType): Document {
-  const markup = text.replace(ownStyle, `$1${styleAttribute}`);
+  const markup = text
+    .replace(ownStyle, `$1${styleAttribute}`)
+    .replace(styleTag, `$1${styleStandIn}`);
   const document = new DOMParser().parseFromString(trustedMarkup(markup), type);
   removeClobberingNames(document);
   return document;

@@ -14,20 +14,40 @@ const renamed: readonly (readonly [prefixed: RegExp, today: string])[] = [
   [/(?<![\w-])(break-(?:before|after)\s*:\s*)(?:always|all)\b/gi, "$1page"],
 ];
 
-/** The forms of letters that a style asks for: the words of one value, with which a browser knows all or none. */
-const letterForms = /(?<=text-transform\s?:\s{0,9})[a-z][a-z\s-]{0,60}/gi;
+/** A declaration of the forms of letters: with one that it does not know, a browser knows none of its words. */
+const letterForms =
+  /(?<=^|[\s;{}"'])text-transform\s?:\s{0,9}([a-z][a-z\s-]{0,60})(!\s?important\s{0,9})?(?=[;}"']|$)/gi;
+
+/** The forms that are applied as text is laid out, where the browser does not know them. */
+const ownForms = ["full-width", "full-size-kana"].filter(
+  (form) => !CSS.supports("text-transform", form),
+);
+
+/** The property by which those are handed on: it is inherited as `text-transform` is. */
+export const letterFormsProperty = "--laid-letter-forms";
+
+/** Stands beside a declaration of that property which is more than none. */
+export const letterFormsMark = "--laid-by-letter-form";
 
 /** Returns a style sheet, or declarations, in today's properties. */
 export function withoutPrefixes(css: string): string {
-  if (!/-epub-|-webkit-initial|break-|full-/i.test(css)) return css;
+  if (!/-epub-|-webkit-initial|break-|text-transform/i.test(css)) return css;
   return renamed
     .reduce((text, [prefixed, today]) => text.replace(prefixed, today), css)
     .replace(/(^|[\s;{"])-epub-/gi, "$1")
     .replace(letterForms, knownForms);
 }
 
-/** Returns the forms of a value that the browser knows, if it knows any. */
-function knownForms(forms: string): string {
-  const known = forms.split(/\s+/).filter((form) => CSS.supports("text-transform", form));
-  return known.length > 0 ? known.join(" ") : forms;
+/** Returns a declaration in the forms that the browser knows, and beside it those that it does not. */
+function knownForms(declaration: string, value: string, important = ""): string {
+  if (ownForms.length === 0) return declaration;
+  const words = value.trim().toLowerCase().split(/\s+/);
+  const own = words.filter((word) => ownForms.includes(word));
+  const [first = ""] = words;
+  if (own.length === 0) {
+    const inherited = /^(?:inherit|unset|revert|revert-layer)$/.test(first) ? first : "none";
+    return `${declaration}; ${letterFormsProperty}: ${inherited} ${important}`;
+  }
+  const known = words.filter((form) => CSS.supports("text-transform", form));
+  return `text-transform: ${known.join(" ") || "none"} ${important}; ${letterFormsProperty}: ${own.join(" ")} ${important}; ${letterFormsMark}: 1`;
 }

@@ -62,8 +62,33 @@ test.each([
   source.close();
 });
 
+test("a page of text ends at the mark for it, within a paragraph too", async () => {
+  const source = await open(
+    new TextEncoder().encode("One\n\nTwo\ftwo\n\fThree"),
+    "a.txt",
+    "text/plain",
+  );
+  const pages = await Promise.all([0, 1, 2].map((k) => source.text?.(k, never) ?? []));
+  expect(source.pageCount).toBe(3);
+  expect(pages.map((runs) => runs.map(({ text }) => text))).toEqual([
+    ["One", "Two"],
+    ["two"],
+    ["Three"],
+  ]);
+  source.close();
+});
+
 test.each([
   ["windows-1251", [0xcf, 0xf0, 0xe8, 0xe2, 0xe5, 0xf2, 0x20, 0xec, 0xe8, 0xf0], "Привет мир"],
+  [
+    "DOS's Cyrillic",
+    // Its small letters are of two ranges.
+    Array.from("Мороз и солнце; день чудесный! Ещё", (letter) => {
+      const code = (letter === "ё" ? "е" : letter).charCodeAt(0);
+      return code < 0x80 ? code : code - (code < 0x440 ? 0x410 - 0x80 : 0x440 - 0xe0);
+    }),
+    "Мороз и солнце; день чудесный! Еще",
+  ],
   ["KOI8-R", [0xf0, 0xd2, 0xc9, 0xd7, 0xc5, 0xd4, 0x20, 0xcd, 0xc9, 0xd2], "Привет мир"],
   ["GBK", [0xc4, 0xe3, 0xba, 0xc3, 0xca, 0xc0, 0xbd, 0xe7], "你好世界"],
   ["Shift_JIS", [0x93, 0xfa, 0x96, 0x7b, 0x8c, 0xea, 0x82, 0xcc], "日本語の"],

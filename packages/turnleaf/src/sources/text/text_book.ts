@@ -102,9 +102,10 @@ function sectionOf({ html }: Chapter, name: string): FlowSection {
 function plainChapters(text: string): Chapter[] {
   // Without blank lines each line is a paragraph.
   const paragraphs = /\n[ \t]*\n/.test(text) ? text.split(/\n(?:[ \t]*\n)+/) : text.split("\n");
-  const blocks = paragraphs.flatMap((one) =>
-    one.length > longestPart ? (one.match(piece) ?? []) : one,
-  );
+  const blocks = paragraphs
+    .flatMap((one) => (one.length > longestPart ? (one.match(piece) ?? []) : one))
+    // A page ends where its mark is, within a paragraph too.
+    .flatMap((one) => one.split(/(?=\f)/));
   const chapters: Chapter[] = [];
   let html: string[] = [];
   let length = 0;

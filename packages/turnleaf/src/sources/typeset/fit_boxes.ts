@@ -59,6 +59,12 @@ export function fitBoxes(
         (isWhole && isOverlong(element, isVertical));
       const isLined =
         isWhole || !/^(?:pre|nowrap)$/.test(view.getComputedStyle(element).whiteSpace);
+      if (isBesideFloat(element, rects, isVertical)) {
+        known.add(element);
+        changes.push([element, { clear: "both" }]);
+        done = element;
+        continue;
+      }
       if (!isHigh && !isWide && isLined && !isOverfull(element, rects, range)) continue;
       known.add(element);
       // What is not seen would only take room.
@@ -82,6 +88,20 @@ export function fitBoxes(
     if (changes.length === 0) return;
     for (const [element, change] of changes) setStyles(element, change);
   }
+}
+
+/**
+ * Returns whether a table begins beside a float that ends before it. A browser gives its rows the heights of
+ * that narrow beginning, and where they go on wider leaves pages empty.
+ */
+function isBesideFloat(
+  element: HTMLElement,
+  rects: readonly DOMRect[],
+  isVertical: boolean,
+): boolean {
+  if (rects.length < 2 || element.localName !== "table") return false;
+  const least = Math.min(...rects.map((rect) => lengthsOf(rect, isVertical).across));
+  return widthOf(rects, isVertical) > least + tolerance;
 }
 
 /** Returns how long a rectangle is along lines and across them. */

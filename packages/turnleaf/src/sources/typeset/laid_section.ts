@@ -7,6 +7,7 @@ import { orAborted } from "../shared_tasks.ts";
 import { type FlowContent, mediumAttribute, mediumKindAttribute } from "./flow_book.ts";
 import { drawingOf, type LayoutFrame, openFrame } from "./frame.ts";
 import { type LaidParts, laySection, type SectionMap, spokenClass } from "./lay_section.ts";
+import { writtenContent } from "./letter_forms.ts";
 import type { Markup, PageMargins } from "./markup.ts";
 import { isNoteLink, noteText } from "./notes.ts";
 import { measuresOf } from "./page_measures.ts";
@@ -123,7 +124,10 @@ export class LaidSection {
     const links: LaidLink[] = [];
     for (const link of this.#frame.root.querySelectorAll("a[href]")) {
       const href = link.getAttribute("href") ?? "";
-      const title = cleanText(link.getAttribute("title") ?? link.textContent, limits.labelLength);
+      const title = cleanText(
+        link.getAttribute("title") ?? writtenContent(link),
+        limits.labelLength,
+      );
       for (const rect of link.getClientRects()) {
         if (rect.width === 0 || rect.height === 0) continue;
         if (pageOfRect(this.#flow, rect) !== page) continue;
@@ -163,7 +167,7 @@ export class LaidSection {
   passage(id: string): Passage | null {
     const element = this.#element(id);
     if (element === null) return null;
-    const text = cleanText(element.textContent, limits.passageLength);
+    const text = cleanText(writtenContent(element), limits.passageLength);
     const { offset, length } = this.#text.extentOf(element);
     if (length === 0) return { text, pages: [{ page: this.map.ids.get(id) ?? 0, from: 0 }] };
     const first = this.#text.pageAt(offset);

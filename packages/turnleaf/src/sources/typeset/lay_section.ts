@@ -6,6 +6,7 @@ import { alignText, alignUnsaid } from "./align_text.ts";
 import { honourBreaks, resolveVariables } from "./asked_breaks.ts";
 import { setStyles } from "./box_styles.ts";
 import { fitBoxes, fixCrossed } from "./fit_boxes.ts";
+import { fitDrawings } from "./fit_drawings.ts";
 import { fitFormulas } from "./fit_formulas.ts";
 import { fitType } from "./fit_type.ts";
 import { type FlowContent, type LostPart, lostAttribute, sourceAttribute } from "./flow_book.ts";
@@ -22,6 +23,7 @@ import {
 import { hideUnseen } from "./hide_unseen.ts";
 import { divideWords } from "./hyphenation/divide_words.ts";
 import { initialLetters } from "./initial_letters.ts";
+import { applyLetterForms } from "./letter_forms.ts";
 import { bleed } from "./lone_picture.ts";
 import { type MarginStyle, Markup } from "./markup.ts";
 import { blankIds, isNoteLink } from "./notes.ts";
@@ -150,6 +152,7 @@ export async function laySection(
     alignUnsaid(body, typography);
     if (typography.hyphens !== "none") await divideWords(body);
   }
+  applyLetterForms(body, mentions);
   await loadedIn(frame, html);
   let initials: ReadonlyMap<Node, InitialLetter> = new Map();
   const area = { width: page.width - 2 * page.sides, height: page.height - 2 * page.ends };
@@ -164,6 +167,7 @@ export async function laySection(
     const fitted = new WeakSet<Element>();
     const fit = (): void => fitBoxes(body, { ...area, ...ends }, writingMode, fitted);
     drawControls(body);
+    fitDrawings(body);
     resolveVariables(body, mentions);
     const [line, across] = isVertical ? [area.height, area.width] : [area.width, area.height];
     const type = { line, page: isSliced ? Number.POSITIVE_INFINITY : across };

@@ -2,6 +2,7 @@
 
 import { cleanText } from "../book_text.ts";
 import { limits } from "../limits.ts";
+import { writtenIn } from "./letter_forms.ts";
 
 const semantics = "http://www.idpf.org/2007/ops";
 
@@ -123,16 +124,26 @@ function beginsNote(element: Element): boolean {
   return hasId && [...element.querySelectorAll("a[href]")].some((link) => !isNoteLink(link));
 }
 
+/** Arrows that are all that a link back from a note says, each in either of its forms. */
+const arrows = /^\s*(?:[\u2190-\u21ff\u23ce\u2b00-\u2b11\u{1f519}^](?:\ufe0e|\ufe0f)?\s?)+\s*$/u;
+
+/** Returns whether an element is a link back from a note: it says so, or is an arrow. */
+function isBacklink(element: Element): boolean {
+  if (element.localName !== "a") return false;
+  if (hasMeaning(element, "backlink", "doc-backlink")) return true;
+  return element.hasAttribute("href") && arrows.test(element.textContent ?? "");
+}
+
 /** Returns an element's text in pieces, with the ends of its lines; without the links back from a note. */
 function* piecesOf(element: Element): Generator<string> {
   for (const child of element.childNodes) {
     if (child.nodeType === Node.TEXT_NODE || child.nodeType === Node.CDATA_SECTION_NODE) {
       // The markup's own lines are none of the text.
-      yield (child.nodeValue ?? "").replace(/\s+/g, " ");
+      yield writtenIn(child as CharacterData).replace(/\s+/g, " ");
     }
     if (child.nodeType !== Node.ELEMENT_NODE) continue;
     const inner = child as Element;
-    if (inner.localName === "a" && hasMeaning(inner, "backlink", "doc-backlink")) continue;
+    if (isBacklink(inner)) continue;
     const edge = block.test(inner.localName) ? (/^t[dh]$/.test(inner.localName) ? " " : "\n") : "";
     if (edge !== "") yield edge;
     yield* piecesOf(inner);

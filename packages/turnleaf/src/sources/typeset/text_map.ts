@@ -5,6 +5,7 @@ import { limits } from "../limits.ts";
 import { formulaAttribute } from "../markup/formulas.ts";
 import { xmlOf } from "../markup/xml.ts";
 import type { PageBox, TextRun } from "../page_source.ts";
+import { writtenIn } from "./letter_forms.ts";
 import { repeatedAttribute } from "./split_table.ts";
 import type { StyleMentions } from "./style_mentions.ts";
 
@@ -122,7 +123,17 @@ export class TextMap {
         runs.push(line);
       }
     }
-    return runs.map((line, k) => this.#runOf(line, runs[k + 1], exact));
+    const after = exact ? this.#firstAfter(page, runs.at(-1)) : undefined;
+    return runs.map((line, k) => this.#runOf(line, runs[k + 1], runs[k + 1] ?? after, exact));
+  }
+
+  /** Returns where the text goes on after a page, whose last line it is; undefined if the section ends there. */
+  #firstAfter(page: number, line: Line | undefined): TextPlace | undefined {
+    if (line === undefined) return;
+    const next = this.#pieces.find(({ first, last }) => first > page || last > page);
+    if (next === undefined) return;
+    const { node, first } = next;
+    return { node, from: first > page ? 0 : this.#firstOn(node as Text, page + 1) };
   }
 
   #pieceOf(node: Piece["node"], offset: number, pageCount: number): Piece | null {
@@ -201,7 +212,7 @@ export class TextMap {
     if (!isText(node)) return this.#formulaOf(node, page);
     const lines: Line[] = [];
     const from = page === piece.first ? 0 : this.#firstOn(node, page);
-    const text = node.data;
+    const text = writtenIn(node);
     let line: Line | null = null;
     for (let k = from; k < text.length; ) {
       const next = k + (/[\ud800-\udbff]/.test(text[k] as string) ? 2 : 1);
@@ -218,7 +229,10 @@ export class TextMap {
         k = blanksEnd(text, next);
         continue;
       }
-      if (on > page) break;
+      if (on > page) {
+        if (line !== null && isWithinWord(text, k) && hasHyphens(node)) endInWord(line);
+        break;
+      }
       const letters = cleanRun(text.slice(k, next));
       if (on === page && letters !== "") {
         const box = this.#onPage(this.#wholeRect(node, k, rect), page);
@@ -267,7 +281,7 @@ export class TextMap {
   }
 
   /** Returns whether a line ends only because there is no more room in it. */
-  #wraps(line: Line, next: Line): boolean {
+  #wraps(line: Line, next: TextPlace): boolean {
     const { node } = line;
     if (node === next.node) {
       const between = (node as Text).data.slice(line.to, next.from);
@@ -298,14 +312,23 @@ export class TextMap {
     return { x: rect.left - page * stepX, y: rect.top - page * stepY, width, height };
   }
 
-  #runOf(line: Line, next: Line | undefined, exact: boolean): TextRun {
+  /**
+   * @param next the line after it on its page
+   * @param after where the text goes on, there or on another page
+   */
+  #runOf(
+    line: Line,
+    next: Line | undefined,
+    after: TextPlace | undefined,
+    exact: boolean,
+  ): TextRun {
     const { text, box, boxes, isVertical, math } = line;
     const goesOn = next?.isVertical === isVertical && continues({ box }, next.box, isVertical);
     const run = {
       ...{ text, ...box, angle: 0, end: !goesOn },
       ...(isVertical ? { vertical: true } : {}),
-      ...(exact ? headingOf(line.node) : {}),
-      ...(exact && !goesOn && next && this.#wraps(line, next) ? { wraps: true } : {}),
+      ...(exact ? headingOf(line.node, after?.node) : {}),
+      ...(exact && !goesOn && after && this.#wraps(line, after) ? { wraps: true } : {}),
     };
     if (math !== undefined) return { ...run, math };
     if (!exact || isVertical || box.width === 0) return run;
@@ -316,11 +339,15 @@ export class TextMap {
   }
 }
 
-/** Letters on one line. */
-interface Line {
-  /** What they are of, and which of its characters. */
+/** A place in a section's text. */
+interface TextPlace {
   readonly node: Piece["node"];
+  /** The first of its characters. */
   readonly from: number;
+}
+
+/** Letters on one line: those of one piece from one character to another. */
+interface Line extends TextPlace {
   to: number;
   text: string;
   box: PageBox;
@@ -361,10 +388,15 @@ function keepsLines({ parentElement, ownerDocument }: Text): boolean {
   );
 }
 
-/** Returns the level of the heading in which a piece stands, as a run has it. */
-function headingOf({ parentElement }: Piece["node"]): Pick<TextRun, "heading"> {
+/** Returns the level of the heading in which a piece stands, and whether the one after it stands there too, as a run has it. */
+function headingOf(
+  { parentElement }: Piece["node"],
+  after: Piece["node"] | undefined,
+): Pick<TextRun, "heading" | "headingGoesOn"> {
   const heading = parentElement?.closest("h1, h2, h3, h4, h5, h6");
-  return heading ? { heading: Number(heading.localName.charAt(1)) } : {};
+  if (!heading) return {};
+  const level = { heading: Number(heading.localName.charAt(1)) };
+  return after && heading.contains(after) ? { ...level, headingGoesOn: true } : level;
 }
 
 /** Returns the box in whose lines a piece stands. */
