@@ -72,7 +72,7 @@ pub use models::kinematic::{InvalidKinematic, Kinematic, KinematicSettings, Pose
 pub use models::mass_spring::{
     Integrator, InvalidSettings, MassSpring, Masses, Plate, Preset, Settings, Springs, StrainLimit,
 };
-pub use models::sheet::{CONTACTS, Contact, FoldLine, InvalidSheet, Root, Sheet, SheetSettings};
+pub use models::sheet::{CONTACTS, Contact, InvalidSheet, Root, Sheet, SheetCrease, SheetSettings};
 pub use models::shell::{
     Crease, Discretisation, Edge, Energies, HalfSpace, InvalidShell, MeshEnergies, MeshSettings,
     MeshShell, Scheme, Shell, ShellSettings, Table,

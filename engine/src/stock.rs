@@ -1,7 +1,7 @@
 //! What a leaf's paper is.
 //!
-//! The five presets are the stocks of a page 148 mm wide whose grain runs along
-//! the spine, so that turning it bends the soft direction. Grammage and caliper
+//! The presets but board are the stocks of a page 148 mm wide whose grain runs
+//! along the spine, so that turning it bends the soft direction. Grammage and caliper
 //! are those printed on such papers; stiffness across the grain is a typical
 //! figure for them, stiffness along it follows from the ratio of the moduli of
 //! office paper, about 4.5 GPa along and 2.0 across the grain. All figures of

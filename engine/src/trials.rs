@@ -7,7 +7,7 @@ use crate::hash::BitHash;
 use crate::loose::{LooseLeaf, LooseSettings, TurnBy};
 use crate::models::ModelKind;
 #[cfg(feature = "creases")]
-use crate::models::sheet::FoldLine;
+use crate::models::sheet::SheetCrease;
 use crate::models::sheet::{Sheet, SheetSettings};
 use crate::stock::{GRAVITY, Stock};
 use crate::surface::Surface;
@@ -89,7 +89,7 @@ pub fn mid_turn(columns: usize, rows: usize) -> Sheet {
 pub fn creased(creases: usize) -> Sheet {
     let settings = crate::book::Paper::default().sheet(PAGE);
     let mut sheet = Sheet::new(settings).expect("a book's paper makes a sheet");
-    let line = |through, rest| FoldLine {
+    let line = |through, rest| SheetCrease {
         through,
         rest,
         stiffness: 6.0 * Stock::BOOK.stiffness_across / PAGE[0],

@@ -4,7 +4,7 @@
 use clap::Args;
 use serde::Serialize;
 use turnleaf_engine::{
-    Crease, Discretisation, FoldLine, GRAVITY, Root, Sheet, SheetSettings, Shell, ShellSettings,
+    Crease, Discretisation, GRAVITY, Root, Sheet, SheetCrease, SheetSettings, Shell, ShellSettings,
     TurnModel,
 };
 
@@ -208,7 +208,7 @@ fn by_sheet(strip: &CreasedElastica, settings: Settings) -> Result<Rested, Strin
         ..whole
     })
     .map_err(|error| error.to_string())?;
-    let crease = FoldLine {
+    let crease = SheetCrease {
         through: [[strip.at, 0.0], [strip.at, 1.0]],
         rest: strip.rest,
         stiffness: strip.stiffness * piece.stiffness / length,

@@ -9,7 +9,7 @@ use serde::Serialize;
 use tiny_skia::Pixmap;
 use turnleaf_engine::book::Paper;
 use turnleaf_engine::trials::PAGE;
-use turnleaf_engine::{Contact, FoldLine, Root, Sheet, SheetSettings, TurnModel};
+use turnleaf_engine::{Contact, Root, Sheet, SheetCrease, SheetSettings, TurnModel};
 
 use crate::options::{between, make_folder};
 use crate::picture::{Camera, Moment, PictureOptions, on_one, paint, save};
@@ -104,9 +104,9 @@ pub fn run(options: &Options) -> Result<Lines<Folded>, String> {
     });
     let mut sheet = Sheet::new(settings).map_err(|error| error.to_string())?;
     let creases = lines(options.fold);
-    let lines: Vec<FoldLine> = creases
+    let lines: Vec<SheetCrease> = creases
         .iter()
-        .map(|(through, _)| FoldLine {
+        .map(|(through, _)| SheetCrease {
             through: *through,
             rest: 0.0,
             stiffness: PRESSED * stock.stiffness_across / PAGE[0],

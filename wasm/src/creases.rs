@@ -1,6 +1,6 @@
 //! Books whose leaves can be creased: what the viewer calls beside the functions of all books.
 
-use turnleaf_engine::FoldLine;
+use turnleaf_engine::SheetCrease;
 use turnleaf_engine::book::Book;
 
 use crate::books::{BOOKS, book_functions};
@@ -31,12 +31,12 @@ book_functions! {
         let written = unsafe { CREASES };
         let stock = book.stock_of(leaf);
         let width = book.size()[0];
-        let creases: Vec<FoldLine> = written
+        let creases: Vec<SheetCrease> = written
             .chunks_exact(NUMBERS)
             .take(count)
             .map(|line| {
                 let through = [[line[0], line[1]], [line[2], line[3]]];
-                FoldLine::pressed(through, line[4], &stock, width)
+                SheetCrease::pressed(through, line[4], &stock, width)
             })
             .collect();
         (count <= MOST && book.crease(leaf, &creases)).into()

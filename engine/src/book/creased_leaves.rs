@@ -2,7 +2,7 @@
 
 use super::flight::Flight;
 use crate::creased_only::CreasedOnly;
-use crate::models::sheet::FoldLine;
+use crate::models::sheet::SheetCrease;
 
 /// Creased leaves of a book and creases of a leaf, at most: what bounds a book's memory.
 const MOST_LEAVES: usize = 4096;
@@ -16,7 +16,7 @@ const MOST_KEPT: usize = 4;
 #[derive(Clone, Debug)]
 struct CreasedLeaf {
     leaf: u32,
-    creases: CreasedOnly<Vec<FoldLine>>,
+    creases: CreasedOnly<Vec<SheetCrease>>,
     /// When it was creased or covered last, seconds as the book's time.
     since: f64,
 }
@@ -41,7 +41,7 @@ impl CreasedLeaves {
 
     /// Notes the creases of a leaf, for which there is [room](Self::has_room), in place of those
     /// that it had; none where it has none any more.
-    pub fn set(&mut self, leaf: u32, creases: &[FoldLine]) {
+    pub fn set(&mut self, leaf: u32, creases: &[SheetCrease]) {
         self.kept.retain(|(kept, _)| *kept != leaf);
         if let Ok(at) = self.index(leaf) {
             self.leaves.remove(at);
@@ -58,7 +58,7 @@ impl CreasedLeaves {
     }
 
     /// The creases of a leaf; None where it has none.
-    pub fn of(&self, leaf: u32) -> Option<&[FoldLine]> {
+    pub fn of(&self, leaf: u32) -> Option<&[SheetCrease]> {
         let at = self.index(leaf).ok()?;
         self.leaves[at].creases.as_ref().map(Vec::as_slice)
     }
@@ -75,8 +75,8 @@ impl CreasedLeaves {
     }
 
     /// Whether a leaf is creased along the same lines, so that another can be.
-    pub fn has_lines(&self, creases: &[FoldLine]) -> bool {
-        let lines = |creases: &[FoldLine]| creases.iter().map(|crease| crease.through).collect();
+    pub fn has_lines(&self, creases: &[SheetCrease]) -> bool {
+        let lines = |creases: &[SheetCrease]| creases.iter().map(|crease| crease.through).collect();
         let asked: Vec<_> = lines(creases);
         let mut known = self.leaves.iter().filter_map(|leaf| leaf.creases.as_ref());
         known.any(|creases| creases.len() == asked.len() && lines(creases) == asked)

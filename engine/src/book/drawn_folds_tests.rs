@@ -25,7 +25,7 @@ fn folded(u: &[f32], degrees: f64) -> Flight {
     let size = PAGE.map(f64::from);
     let mut flight = Flight::new(Leaf::new(size, &Paper::default(), 0.0, (u, ROWS)), u, ROWS);
     let through = [[0.5, 0.0], [0.5, 1.0]];
-    let line = FoldLine::pressed(through, degrees.to_radians(), &Stock::BOOK, size[0]);
+    let line = SheetCrease::pressed(through, degrees.to_radians(), &Stock::BOOK, size[0]);
     assert!(flight.crease(&[line]));
     flight.take_up(1, Side::Right, 0, 1);
     flight.leaf_mut().grab(0, 0.5, 0.5);
@@ -61,7 +61,7 @@ fn flaps_that_meet_over_the_spine_are_drawn_where_their_paper_is() {
         for (leaf, degrees) in [(19, -160f64), (20, 160.0)] {
             let through = [[0.5, 0.0], [0.5, 1.0]];
             let rest = degrees.to_radians();
-            let line = FoldLine::pressed(through, rest, &stock, f64::from(PAGE[0]));
+            let line = SheetCrease::pressed(through, rest, &stock, f64::from(PAGE[0]));
             assert!(book.crease(leaf, &[line]));
         }
         book.lay(20);

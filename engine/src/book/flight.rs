@@ -23,7 +23,7 @@ use crate::contact::tolerance::{AT_FACET, DEEP, PAST_AT_SPINE};
 use crate::contact::work::Work;
 use crate::creased_only::CreasedOnly;
 use crate::grid::Side;
-use crate::models::sheet::FoldLine;
+use crate::models::sheet::SheetCrease;
 use crate::paper_mesh::PaperMesh;
 use crate::surface::Surface;
 use crate::vector::{dot, sub};
@@ -153,7 +153,7 @@ impl Flight {
     }
 
     /// Creases its leaf along lines: see [`Leaf::crease`].
-    pub fn crease(&mut self, creases: &[FoldLine]) -> bool {
+    pub fn crease(&mut self, creases: &[SheetCrease]) -> bool {
         if !self.leaf.crease(creases) {
             return false;
         }

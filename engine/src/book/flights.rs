@@ -20,7 +20,7 @@ use super::paper::Paper;
 use super::phase::Phase;
 use super::pile::Pile;
 use crate::grid::Side;
-use crate::models::sheet::{FoldLine, Sheet};
+use crate::models::sheet::{Sheet, SheetCrease};
 use crate::stock::Stock;
 
 /// Length of a whole turn of a leaf that makes way for one let go, seconds.
@@ -86,7 +86,7 @@ impl Pattern {
     }
 
     /// Whether a leaf can be creased along lines.
-    fn can_crease(&self, leaf: u32, creases: &[FoldLine]) -> bool {
+    fn can_crease(&self, leaf: u32, creases: &[SheetCrease]) -> bool {
         let [width, height] = self.size;
         let paper = Paper {
             stock: self.kind_of(leaf).0,

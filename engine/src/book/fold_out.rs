@@ -2,7 +2,7 @@
 //!
 //! A flap is a leaf whose spine is the fold: a sheet that leaves the page through a hinge, and
 //! meets the pages, the boards and the table as any loose sheet does. The hinge is a crease as
-//! [`FoldLine`] describes it. Its rest angle is the sheet's clamp angle, which follows where the
+//! [`SheetCrease`] describes it. Its rest angle is the sheet's clamp angle, which follows where the
 //! fold is turned further than it yields. The page itself lies still under it.
 //!
 //! A wide flap is folded again, so that shut it lies within its page. It is one sheet all the same,
@@ -19,7 +19,7 @@ use super::surroundings::{Surroundings, TableAround};
 use crate::grab::{stiffness_for, strongest};
 use crate::grid::Side;
 use crate::interpolate::uniform_samples;
-use crate::models::sheet::{FoldLine, Root, Sheet, SheetSettings};
+use crate::models::sheet::{Root, Sheet, SheetCrease, SheetSettings};
 use crate::paper_mesh::PaperMesh;
 use crate::rigidity::Rigidity;
 use crate::surface::Surface;
@@ -121,7 +121,7 @@ impl FoldOut {
             ..*book.paper()
         };
         let rest = PI - AJAR;
-        let line = FoldLine::pressed([[0.0; 2]; 2], f64::from(rest), &paper.stock, page_width);
+        let line = SheetCrease::pressed([[0.0; 2]; 2], f64::from(rest), &paper.stock, page_width);
         let nodes = [panels.columns(), NODES[1]];
         let settings = SheetSettings {
             root: Root::Hinged(line.stiffness),
@@ -400,7 +400,7 @@ fn inward(direction: f32) -> f32 {
 
 /// Stiffness, N/m, and greatest force, N, of a hand on a flap with such a fold: as of any hand on
 /// a leaf of its weight, or as much firmer as folds between so many panels need.
-fn hand_for(settings: &SheetSettings, line: &FoldLine, panels: usize) -> [f32; 2] {
+fn hand_for(settings: &SheetSettings, line: &SheetCrease, panels: usize) -> [f32; 2] {
     let SheetSettings { width, height, .. } = *settings;
     let to_yield = line.stiffness * line.yields * height / width * panels as f64;
     let force = strongest(settings.stock.grammage, width * height).max(FIRM * to_yield);

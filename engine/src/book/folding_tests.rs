@@ -4,10 +4,10 @@ use super::*;
 
 /// Across the corner of foot and fore-edge, 30 mm from it, folded over to the recto's side (or
 /// the verso's) and resting 20 degrees open.
-fn dog_ear(on_recto: bool) -> FoldLine {
+fn dog_ear(on_recto: bool) -> SheetCrease {
     let sign = if on_recto { 1.0 } else { -1.0 };
     let through = [[1.0 - 0.03 / 0.14, 0.0], [1.0, 0.03 / 0.21]];
-    FoldLine::pressed(through, sign * 160f64.to_radians(), &Stock::BOOK, 0.14)
+    SheetCrease::pressed(through, sign * 160f64.to_radians(), &Stock::BOOK, 0.14)
 }
 
 /// A book open at leaf 5, which is dog-eared.
@@ -228,8 +228,8 @@ fn pressing_a_crease_folds_the_leaf_and_opens_it_again() {
 #[test]
 fn a_leaf_cannot_be_creased_across_the_spine_or_where_there_is_none() {
     let mut book = book(true);
-    let across = FoldLine::pressed([[0.0, 0.5], [1.0, 0.5]], 1.0, &Stock::BOOK, 0.14);
-    let wrong = FoldLine {
+    let across = SheetCrease::pressed([[0.0, 0.5], [1.0, 0.5]], 1.0, &Stock::BOOK, 0.14);
+    let wrong = SheetCrease {
         rest: f64::NAN,
         ..dog_ear(true)
     };
@@ -239,7 +239,7 @@ fn a_leaf_cannot_be_creased_across_the_spine_or_where_there_is_none() {
     assert!(!book.crease(5, &[dog_ear(true); 17]));
     // Along the line of another leaf, too.
     for rest in [4.0, f64::NAN] {
-        let beyond = FoldLine {
+        let beyond = SheetCrease {
             rest,
             ..dog_ear(true)
         };
@@ -314,7 +314,7 @@ fn a_leaf_that_is_pressed_while_it_comes_to_rest_is_folded() {
     *book.board_mut(0) = Board::new(Side::Left);
     book.lay(2);
     let id = book.pick_up(Side::Right, 2, 3).unwrap();
-    let line = FoldLine::pressed([[0.6, 0.0], [0.6, 1.0]], 0.0, &Stock::BOOK, 0.13);
+    let line = SheetCrease::pressed([[0.6, 0.0], [0.6, 1.0]], 0.0, &Stock::BOOK, 0.13);
     assert!(book.crease(2, &[line]));
     for (ticks, rest) in [(4, 2f32), (12, 28.0), (14, 80.0), (2, 88.0), (120, 160.0)] {
         book.press(2, 0, rest.to_radians());

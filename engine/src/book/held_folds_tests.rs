@@ -6,9 +6,9 @@ use crate::random::Random;
 use crate::triangle::area_normal;
 use crate::vector::{cross, dot, sub};
 
-fn along(u: f64, degrees: f64) -> FoldLine {
+fn along(u: f64, degrees: f64) -> SheetCrease {
     let through = [[u, 0.0], [u, 1.0]];
-    FoldLine::pressed(through, degrees.to_radians(), &Stock::BOOK, 0.14)
+    SheetCrease::pressed(through, degrees.to_radians(), &Stock::BOOK, 0.14)
 }
 
 /// A book open at leaf 5, which is folded in two and picked up, and the number of its flight.

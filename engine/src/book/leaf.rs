@@ -29,7 +29,7 @@ use crate::contact::flaps::Flaps;
 use crate::contact::mesh::find_falling;
 use crate::creased_only::CreasedOnly;
 use crate::grid::Side;
-use crate::models::sheet::{FoldLine, Sheet};
+use crate::models::sheet::{Sheet, SheetCrease};
 use crate::stock::Stock;
 use crate::surface::Surface;
 use crate::turn::TurnModel;
@@ -184,7 +184,7 @@ impl Leaf {
 
     /// Creases the leaf along lines in place of those that it has, where it is. Returns
     /// whether it can be; if not, it is as it was.
-    pub fn crease(&mut self, lines: &[FoldLine]) -> bool {
+    pub fn crease(&mut self, lines: &[SheetCrease]) -> bool {
         if self.sheet.crease(lines).is_err() {
             return false;
         }

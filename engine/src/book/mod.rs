@@ -57,7 +57,7 @@ pub use surroundings::TableAround;
 pub use torn_leaf::{TearLine, TornLeaf};
 
 use crate::grid::Side;
-use crate::models::sheet::FoldLine;
+use crate::models::sheet::SheetCrease;
 use crate::paper_mesh::PaperMesh;
 use crate::stock::Stock;
 use crate::surface::Surface;
@@ -213,7 +213,7 @@ impl Book {
     /// Returns whether it can be creased so: there is such a leaf, no line meets the spine,
     /// they are at most 16 and lie far enough from each other for its nodes, and the book has
     /// no more than 4096 such leaves. If not, nothing changes.
-    pub fn crease(&mut self, leaf: u32, creases: &[FoldLine]) -> bool {
+    pub fn crease(&mut self, leaf: u32, creases: &[SheetCrease]) -> bool {
         let is_creased = self.flights.crease(leaf, creases);
         if is_creased {
             self.uncover();
@@ -222,7 +222,7 @@ impl Book {
         is_creased
     }
 
-    /// Turns the rest of a crease of a leaf to an angle, radians as [`FoldLine::rest`]; the next
+    /// Turns the rest of a crease of a leaf to an angle, radians as [`SheetCrease::rest`]; the next
     /// steps fold it there. Nothing happens where the leaf neither flies nor lies uppermost,
     /// or has no such crease.
     pub fn press(&mut self, leaf: u32, crease: usize, rest: f32) {
@@ -232,7 +232,7 @@ impl Book {
     }
 
     /// The creases of a leaf, each with the angle at which it rests now; none where it has none.
-    pub fn creases(&self, leaf: u32) -> Vec<FoldLine> {
+    pub fn creases(&self, leaf: u32) -> Vec<SheetCrease> {
         self.flights.creases(leaf)
     }
 

@@ -7,37 +7,37 @@ use crate::book::parts_depth::depth_of_parts;
 /// How deep in each other parts of a leaf that lies are drawn at most, metres.
 const DEEP: f32 = 1e-4;
 
-fn fold(from: [f64; 2], to: [f64; 2], degrees: f64) -> FoldLine {
-    FoldLine::pressed([from, to], degrees.to_radians(), &Stock::BOOK, 0.14)
+fn fold(from: [f64; 2], to: [f64; 2], degrees: f64) -> SheetCrease {
+    SheetCrease::pressed([from, to], degrees.to_radians(), &Stock::BOOK, 0.14)
 }
 
 /// Parallel to the spine.
-fn along(u: f64, degrees: f64) -> FoldLine {
+fn along(u: f64, degrees: f64) -> SheetCrease {
     fold([u, 0.0], [u, 1.0], degrees)
 }
 
 /// Folded in two, parallel to the spine.
-fn in_two() -> Vec<FoldLine> {
+fn in_two() -> Vec<SheetCrease> {
     vec![along(0.6, 160.0)]
 }
 
 /// Folded along a line from the foot to the head, farther out there.
-fn across() -> Vec<FoldLine> {
+fn across() -> Vec<SheetCrease> {
     vec![fold([0.5, 0.0], [0.75, 1.0], 160.0)]
 }
 
 /// Folded in three, the outer part between the others.
-fn as_letter() -> Vec<FoldLine> {
+fn as_letter() -> Vec<SheetCrease> {
     vec![along(0.4, 160.0), along(0.7, 175.0)]
 }
 
 /// Folded in three, each fold against the other.
-fn as_zigzag() -> Vec<FoldLine> {
+fn as_zigzag() -> Vec<SheetCrease> {
     vec![along(0.35, 165.0), along(0.68, -165.0)]
 }
 
-fn toward_verso(creases: &[FoldLine]) -> Vec<FoldLine> {
-    let turn = |crease: &FoldLine| FoldLine {
+fn toward_verso(creases: &[SheetCrease]) -> Vec<SheetCrease> {
+    let turn = |crease: &SheetCrease| SheetCrease {
         rest: -crease.rest,
         ..*crease
     };
@@ -45,7 +45,7 @@ fn toward_verso(creases: &[FoldLine]) -> Vec<FoldLine> {
 }
 
 /// A book open at leaf 5, which is folded.
-fn book(creases: &[FoldLine]) -> Book {
+fn book(creases: &[SheetCrease]) -> Book {
     let mut book = Book::new(0.14, 0.21, 40, 0.004).unwrap();
     *book.board_mut(0) = Board::new(Side::Left);
     book.lay(5);
@@ -54,12 +54,12 @@ fn book(creases: &[FoldLine]) -> Book {
 }
 
 /// The deepest that a part of the only leaf is drawn in another, metres.
-fn depth(book: &Book, creases: &[FoldLine]) -> f32 {
+fn depth(book: &Book, creases: &[SheetCrease]) -> f32 {
     depth_of(book, 0, creases)
 }
 
 /// The same of the leaf at an index, counted from the left.
-fn depth_of(book: &Book, index: usize, creases: &[FoldLine]) -> f32 {
+fn depth_of(book: &Book, index: usize, creases: &[SheetCrease]) -> f32 {
     let surface = book.surface(index).unwrap();
     depth_of_parts(surface, book.paper_mesh(index).unwrap(), creases)
 }
@@ -86,7 +86,7 @@ fn turn(book: &mut Book, from: Side) -> f32 {
 
 /// Turns a leaf that is folded so over and back, folded to the recto's side and to the
 /// verso's, and checks how it lies each time.
-fn turns_over_and_back(creases: &[FoldLine]) {
+fn turns_over_and_back(creases: &[SheetCrease]) {
     for creases in [creases.to_vec(), toward_verso(creases)] {
         let mut book = book(&creases);
         for k in 0..=4 {
@@ -165,7 +165,7 @@ fn folds_are_held_shut_while_a_page_is_turned() {
 
 #[test]
 fn a_fold_that_is_pressed_goes_to_the_side_to_which_it_is_pressed() {
-    let flat = vec![FoldLine {
+    let flat = vec![SheetCrease {
         rest: 0.0,
         ..along(0.6, 0.0)
     }];
@@ -195,13 +195,13 @@ fn a_leaf_that_lies_is_creased_anew_as_it_comes_to_lie() {
 }
 
 /// Across the corner of foot and fore-edge, 30 mm from it.
-fn dog_ear() -> Vec<FoldLine> {
+fn dog_ear() -> Vec<SheetCrease> {
     vec![fold([1.0 - 0.03 / 0.14, 0.0], [1.0, 0.03 / 0.21], 160.0)]
 }
 
 /// Steps and draws a book until nothing moves, leaf 5 uncovered on the right, and checks in every
 /// frame that this leaf is not drawn in itself, and that no frame is more work than one may be.
-fn open_folds(book: &mut Book, creases: &[FoldLine], when: &str) {
+fn open_folds(book: &mut Book, creases: &[SheetCrease], when: &str) {
     for frame in 0..500 {
         let index = book.drawn_leaves() - 1;
         let deep = depth_of(book, index, creases);
@@ -222,7 +222,7 @@ fn open_folds(book: &mut Book, creases: &[FoldLine], when: &str) {
     panic!("it never came to rest");
 }
 
-fn check_rests(book: &Book, creases: &[FoldLine]) {
+fn check_rests(book: &Book, creases: &[SheetCrease]) {
     let leaf = book.flights.order().last().unwrap().leaf();
     for (number, (rests, made)) in book.creases(5).iter().zip(creases).enumerate() {
         let off = (rests.rest - made.rest).to_degrees().abs();
@@ -236,7 +236,7 @@ fn check_rests(book: &Book, creases: &[FoldLine]) {
 
 /// A folded leaf comes out from under another pressed flat, and opens to its creases' rests while
 /// that one turns and after; laid open, it does so by itself.
-fn opens_where_it_is_uncovered(creases: &[FoldLine]) {
+fn opens_where_it_is_uncovered(creases: &[SheetCrease]) {
     for creases in [creases.to_vec(), toward_verso(creases)] {
         let mut book = book(&creases);
         open_folds(&mut book, &creases, "made");

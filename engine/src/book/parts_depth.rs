@@ -1,6 +1,6 @@
 //! How deep the parts of a creased sheet are drawn in each other, for tests.
 
-use crate::models::sheet::FoldLine;
+use crate::models::sheet::SheetCrease;
 use crate::paper_mesh::PaperMesh;
 use crate::surface::Surface;
 use crate::vector::{cross, dot, sub, unit};
@@ -13,7 +13,7 @@ const REACH: f32 = 0.03;
 
 /// The deepest that a drawn point of one part of a sheet is in a triangle of another, metres.
 /// `creases` are those of the sheet.
-pub(super) fn depth_of_parts(surface: &Surface, mesh: &PaperMesh, creases: &[FoldLine]) -> f32 {
+pub(super) fn depth_of_parts(surface: &Surface, mesh: &PaperMesh, creases: &[SheetCrease]) -> f32 {
     let points = surface.positions.as_chunks::<3>().0;
     let corners = &mesh.triangles;
     let mut parts: Vec<Option<Option<u16>>> = vec![None; points.len()];

@@ -246,21 +246,21 @@ mod tests {
     use crate::book::limits::NODES;
     use crate::book::paper::Paper;
     use crate::book::pile::crowded_columns;
-    use crate::models::sheet::FoldLine;
+    use crate::models::sheet::SheetCrease;
     use crate::stock::Stock;
 
     const PAGE: [f64; 2] = [0.14, 0.21];
 
-    fn fold(from: [f64; 2], to: [f64; 2], degrees: f64) -> FoldLine {
-        FoldLine::pressed([from, to], degrees.to_radians(), &Stock::BOOK, PAGE[0])
+    fn fold(from: [f64; 2], to: [f64; 2], degrees: f64) -> SheetCrease {
+        SheetCrease::pressed([from, to], degrees.to_radians(), &Stock::BOOK, PAGE[0])
     }
 
-    fn along(u: f64, degrees: f64) -> FoldLine {
+    fn along(u: f64, degrees: f64) -> SheetCrease {
         fold([u, 0.0], [u, 1.0], degrees)
     }
 
     /// A leaf that lies flat on the right, creased.
-    fn leaf(creases: &[FoldLine]) -> Leaf {
+    fn leaf(creases: &[SheetCrease]) -> Leaf {
         let u = crowded_columns(49);
         let mut leaf = Leaf::new(PAGE, &Paper::default(), 0.0, (&u, 25));
         assert!(leaf.crease(creases));

@@ -338,7 +338,7 @@ mod tests {
     use super::*;
     use crate::book::Paper;
     use crate::grid::Side;
-    use crate::models::sheet::FoldLine;
+    use crate::models::sheet::SheetCrease;
     use crate::stock::Stock;
 
     /// Whatever is folded upon what, each part lies on the side of every other where it is once
@@ -361,7 +361,7 @@ mod tests {
         for (lines, degrees) in folds {
             let mut sheet = Sheet::new(Paper::default().sheet(page)).expect("a leaf's sheet");
             let creases = [0, 1].map(|k| {
-                FoldLine::pressed(lines[k], f64::to_radians(degrees[k]), &Stock::BOOK, page[0])
+                SheetCrease::pressed(lines[k], f64::to_radians(degrees[k]), &Stock::BOOK, page[0])
             });
             sheet.crease(&creases).expect("these can be creased");
             sheet.lay_folded(Side::Right);

@@ -110,7 +110,7 @@ impl PlacedBlocks {
         all
     }
 
-    /// Whether a box reaches over triangles of a block or under them, by less than overlaps.
+    /// Whether a box is beside a block: nowhere over its triangles or under them, or deeper than what overlaps.
     fn is_beside(&self, bounds: &Aabb, block: usize, slab: &Slab, scale: f32) -> bool {
         let own = &self.boxes[block];
         let size = own.size();

@@ -562,6 +562,30 @@ pub mod tests {
         })
     }
 
+    /// Otherwise edges of one leaf go through triangles of another unseen, or are pushed twice.
+    #[test]
+    fn every_edge_of_a_mesh_is_in_one_block() {
+        let (columns, rows) = (9, 7);
+        let parts = DrawnParts::whole(columns, rows);
+        let of_block = |block: &Block| {
+            let corners = &parts.corners[block.corners.clone()];
+            let edges = parts.edges[block.edges.clone()].iter();
+            edges
+                .map(|edge| edge.map(|end| corners[usize::from(end)]))
+                .collect::<Vec<_>>()
+        };
+        let mut found: Vec<[usize; 2]> = parts.blocks.iter().flat_map(of_block).collect();
+        let sides = |&[a, b, c]: &[usize; 3]| [[a, b], [b, c], [a, c]];
+        let mut all: Vec<[usize; 2]> = parts.triangles.iter().flat_map(sides).collect();
+        for edge in found.iter_mut().chain(&mut all) {
+            edge.sort_unstable();
+        }
+        found.sort_unstable();
+        all.sort_unstable();
+        all.dedup();
+        assert_eq!(found, all);
+    }
+
     #[test]
     fn a_flap_that_is_drawn_into_its_page_is_raised_out_of_it() {
         for over in [5e-5f32, 0.0, -1e-3] {

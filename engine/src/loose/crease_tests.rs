@@ -1,7 +1,7 @@
 //! Creased loose leaves: folded, opened by a hand, turned over.
 
 use super::*;
-use crate::models::sheet::FoldLine;
+use crate::models::sheet::SheetCrease;
 use crate::stock::Stock;
 
 const SIZE: [f64; 2] = [0.148, 0.21];
@@ -72,7 +72,7 @@ fn the_moment_is_the_stiffness_times_the_turn_from_rest() {
     // It sways about where it comes to rest, four times in three seconds.
     leaf.advance(16.0);
     let state = leaf.crease_state(0).unwrap();
-    let stiffness = FoldLine::pressed(HALF, 0.0, &Stock::BOOK, SIZE[0]).stiffness as f32;
+    let stiffness = SheetCrease::pressed(HALF, 0.0, &Stock::BOOK, SIZE[0]).stiffness as f32;
     assert_eq!(state.moment, stiffness * (state.angle - state.rest));
     // The half that stands beyond upright falls on: the crease holds its weight about the line.
     let weight = 0.07 * 9.80665 * 0.074;

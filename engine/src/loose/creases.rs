@@ -3,13 +3,13 @@
 use super::LooseLeaf;
 use super::settings::InvalidLoose;
 use super::table_sheet::CreaseState;
-use crate::models::sheet::FoldLine;
+use crate::models::sheet::SheetCrease;
 use crate::paper_mesh::PaperMesh;
 use crate::real::bounded;
 
 impl LooseLeaf {
     /// Creases a sheet along lines, pressed by hand, each two places (u and v) on it and the
-    /// angle at which it rests, radians as [`FoldLine::rest`]; in place of those it has. It stays
+    /// angle at which it rests, radians as [`SheetCrease::rest`]; in place of those it has. It stays
     /// where it is, and a record under way ends. Its creases yield while a hand holds it.
     ///
     /// # Errors
@@ -21,9 +21,9 @@ impl LooseLeaf {
             let sentence = "Of all models only the sheet can be creased.";
             return Err(InvalidLoose(sentence.into()));
         };
-        let lines: Vec<FoldLine> = lines
+        let lines: Vec<SheetCrease> = lines
             .iter()
-            .map(|(through, rest)| FoldLine::pressed(*through, *rest, &stock, width))
+            .map(|(through, rest)| SheetCrease::pressed(*through, *rest, &stock, width))
             .collect();
         sheet.crease(&lines)?;
         self.record = None;

@@ -9,7 +9,7 @@ use super::settings::{InvalidLoose, LooseSettings};
 use crate::air::Air;
 use crate::contact::flaps::Flaps;
 use crate::grid::Side;
-use crate::models::sheet::{Contact, FoldLine, Root, Sheet, SheetSettings};
+use crate::models::sheet::{Contact, Root, Sheet, SheetCrease, SheetSettings};
 use crate::turn::TurnModel;
 
 /// Creases of a leaf, at most, as in a book.
@@ -21,7 +21,7 @@ const GRIPS: usize = 16;
 /// A crease of a loose leaf as it is now.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CreaseState {
-    /// Its angle, radians as [`FoldLine::rest`]: the mean over its length.
+    /// Its angle, radians as [`SheetCrease::rest`]: the mean over its length.
     pub angle: f32,
     /// The angle at which it bears no moment, likewise.
     pub rest: f32,
@@ -79,7 +79,7 @@ impl TableSheet {
     /// # Errors
     /// Where a line is none or meets the spine, there are more than 16 or too many for its
     /// nodes, or it is synchronised; it is then as it was.
-    pub fn crease(&mut self, lines: &[FoldLine]) -> Result<(), InvalidLoose> {
+    pub fn crease(&mut self, lines: &[SheetCrease]) -> Result<(), InvalidLoose> {
         let reject = |sentence: &str| Err(InvalidLoose(sentence.into()));
         let settings = self.sheet.settings();
         let size = [settings.width, settings.height];

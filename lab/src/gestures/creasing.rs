@@ -1,7 +1,7 @@
 //! Leaves of a book that are folded and torn out at random, before a gesture and in it.
 
 use turnleaf_engine::book::{Book, Phase};
-use turnleaf_engine::{FoldLine, Side};
+use turnleaf_engine::{SheetCrease, Side};
 
 use super::folding::{Fold, place_beyond};
 use super::overlap::{Overlap, measure};
@@ -34,7 +34,7 @@ pub struct CreaseOutcome {
 /// A leaf that was folded.
 struct FoldedLeaf {
     leaf: u32,
-    made: Vec<FoldLine>,
+    made: Vec<SheetCrease>,
     /// Whether a pointer has held it since.
     was_held: bool,
 }
@@ -82,12 +82,12 @@ impl Creasing {
         is_folded
     }
 
-    fn lines(&mut self, book: &Book, leaf: u32) -> Vec<FoldLine> {
+    fn lines(&mut self, book: &Book, leaf: u32) -> Vec<SheetCrease> {
         let stock = book.stock_of(leaf);
         self.fold.lines(&mut self.random, &stock, self.page)
     }
 
-    fn count(&mut self, is_folded: bool, leaf: u32, made: Vec<FoldLine>) {
+    fn count(&mut self, is_folded: bool, leaf: u32, made: Vec<SheetCrease>) {
         if !is_folded {
             self.outcome.rejected += 1;
             return;

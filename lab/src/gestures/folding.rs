@@ -1,7 +1,7 @@
 //! Random folds of a page: its corners, in two, along slanted lines, as a letter.
 
 use clap::builder::{PossibleValuesParser, TypedValueParser};
-use turnleaf_engine::{FoldLine, Stock};
+use turnleaf_engine::{SheetCrease, Stock};
 
 use super::random::Random;
 
@@ -46,11 +46,11 @@ impl Fold {
     }
 
     /// Random creases of a leaf of a stock, whose pages have this width and height, metres.
-    pub fn lines(self, random: &mut Random, stock: &Stock, page: [f64; 2]) -> Vec<FoldLine> {
+    pub fn lines(self, random: &mut Random, stock: &Stock, page: [f64; 2]) -> Vec<SheetCrease> {
         let sign = [-1.0, 1.0][random.below(2) as usize];
         let line = |through: [[f32; 2]; 2], degrees: f32| {
             let through = through.map(|place| place.map(f64::from));
-            FoldLine::pressed(
+            SheetCrease::pressed(
                 through,
                 f64::from(sign * degrees).to_radians(),
                 stock,
@@ -121,16 +121,20 @@ pub fn folds() -> impl TypedValueParser<Value = Folds> {
 
 /// A random place (u and v) beyond one of the creases as seen from the spine; None where none
 /// is found, as beyond small corners.
-pub fn place_beyond(creases: &[FoldLine], random: &mut Random, page: [f64; 2]) -> Option<[f32; 2]> {
+pub fn place_beyond(
+    creases: &[SheetCrease],
+    random: &mut Random,
+    page: [f64; 2],
+) -> Option<[f32; 2]> {
     (0..TRIES).find_map(|_| {
         let place = [random.between(0.3, 1.0), random.between(0.0, 1.0)];
-        let is_beyond = |crease: &FoldLine| is_beyond(crease, place.map(f64::from), page);
+        let is_beyond = |crease: &SheetCrease| is_beyond(crease, place.map(f64::from), page);
         creases.iter().any(is_beyond).then_some(place)
     })
 }
 
 /// Whether a place (u and v) lies beyond a crease as seen from the middle of the spine.
-fn is_beyond(crease: &FoldLine, place: [f64; 2], [width, height]: [f64; 2]) -> bool {
+fn is_beyond(crease: &SheetCrease, place: [f64; 2], [width, height]: [f64; 2]) -> bool {
     let [a, b] = crease.through.map(|[u, v]| [u * width, v * height]);
     let side =
         |[u, v]: [f64; 2]| (b[0] - a[0]) * (v * height - a[1]) - (b[1] - a[1]) * (u * width - a[0]);
@@ -153,7 +157,7 @@ mod tests {
             let mut book = Book::new(PAGE[0], PAGE[1], 1, 1e-4).expect("a book's figures");
             let made = (0..30).filter(|_| {
                 let lines = fold.lines(&mut random, &Stock::BOOK, PAGE);
-                let spine = |line: &FoldLine| is_beyond(line, [0.01, 0.5], PAGE);
+                let spine = |line: &SheetCrease| is_beyond(line, [0.01, 0.5], PAGE);
                 assert!(!lines.iter().any(spine), "{lines:?}");
                 if let Some(place) = place_beyond(&lines, &mut random, PAGE) {
                     assert!(

@@ -74,7 +74,7 @@ fn shut(points: &[Point], mesh: &PaperMesh) -> u16 {
 #[cfg(test)]
 mod tests {
     use turnleaf_engine::book::Book;
-    use turnleaf_engine::{FoldLine, Side, Stock};
+    use turnleaf_engine::{SheetCrease, Side, Stock};
 
     use super::super::facets::Facets;
     use super::super::overlap::inside_itself;
@@ -86,7 +86,7 @@ mod tests {
     #[test]
     fn a_flap_has_the_side_of_its_leaf() {
         for rest in [3.0, -3.0] {
-            let line = FoldLine::pressed([[0.6, 0.0], [0.6, 1.0]], rest, &Stock::BOOK, PAGE[0]);
+            let line = SheetCrease::pressed([[0.6, 0.0], [0.6, 1.0]], rest, &Stock::BOOK, PAGE[0]);
             let mut book = Book::new(PAGE[0], PAGE[1], 40, 0.004).expect("a book's figures");
             book.lay(5);
             assert!(book.crease(5, &[line]) && book.lies_creased(Side::Right));

@@ -4,7 +4,7 @@
 use std::f64::consts::FRAC_PI_2;
 
 use turnleaf_engine::PaperMesh;
-use turnleaf_engine::{FoldLine, Surface};
+use turnleaf_engine::{SheetCrease, Surface};
 
 use super::triangle::{Point, cross, dot, sub};
 
@@ -17,7 +17,12 @@ const REACH: f32 = 0.22;
 
 /// The deepest that a drawn point of one part of a leaf is in a triangle of another, metres. Only
 /// what is folded by more than a right angle is looked at: less may lie on either side.
-pub fn inside_parts(surface: &Surface, mesh: &PaperMesh, creases: &[FoldLine], width: f32) -> f32 {
+pub fn inside_parts(
+    surface: &Surface,
+    mesh: &PaperMesh,
+    creases: &[SheetCrease],
+    width: f32,
+) -> f32 {
     let points = surface.positions.as_chunks::<3>().0;
     let corners = &mesh.triangles;
     let triangles = || corners.iter().zip(&mesh.parts);
@@ -69,7 +74,7 @@ pub fn inside_parts(surface: &Surface, mesh: &PaperMesh, creases: &[FoldLine], w
 /// -1; None where it may lie on either: where neither lies beyond the other, or the first crease
 /// between them, as seen from the spine, is not folded by more than a right angle. What is folded
 /// over has the page on the side of its recto, or where the normals of both are alike of its verso.
-fn side(creases: &[FoldLine], under: u16, part: u16, is_alike: bool) -> Option<f32> {
+fn side(creases: &[SheetCrease], under: u16, part: u16, is_alike: bool) -> Option<f32> {
     let [own, other] = [part & !under, under & !part];
     if own != 0 && other != 0 {
         return None;
@@ -101,9 +106,9 @@ mod tests {
     use turnleaf_engine::book::Book;
 
     /// A book whose open page on the right is folded over onto itself, and the fold.
-    fn folded_page() -> (Book, [FoldLine; 1]) {
+    fn folded_page() -> (Book, [SheetCrease; 1]) {
         let through = [[0.6, 0.0], [0.6, 1.0]];
-        let lines = [FoldLine::pressed(through, 3.0, &Stock::BOOK, 0.14)];
+        let lines = [SheetCrease::pressed(through, 3.0, &Stock::BOOK, 0.14)];
         let mut book = Book::new(0.14, 0.21, 40, 0.004).expect("a book's figures");
         book.lay(5);
         assert!(book.crease(5, &lines));

@@ -1,6 +1,6 @@
 //! A leaf that is folded before the reader's eyes, as by the viewer.
 
-use turnleaf_engine::FoldLine;
+use turnleaf_engine::SheetCrease;
 use turnleaf_engine::book::Book;
 
 /// Ticks in which a leaf is folded.
@@ -13,7 +13,7 @@ pub struct TimedFolding {
     from: Vec<f32>,
     to: Vec<f32>,
     /// Its creases from then on, if it has others until then.
-    after: Option<Vec<FoldLine>>,
+    after: Option<Vec<SheetCrease>>,
     /// Since it was begun.
     ticks: u32,
 }
@@ -22,22 +22,22 @@ impl TimedFolding {
     /// Folds a leaf of a book along lines, in place of its folds: these keep their creases until they
     /// are open, and are opened first where the leaf has too few nodes for both. None where it has too
     /// few for the new ones; the book is then as it was.
-    pub fn begin(book: &mut Book, leaf: u32, lines: &[FoldLine]) -> Option<TimedFolding> {
+    pub fn begin(book: &mut Book, leaf: u32, lines: &[SheetCrease]) -> Option<TimedFolding> {
         let before = book.creases(leaf);
-        let is_opened = |old: &&FoldLine| !lines.iter().any(|line| line.through == old.through);
-        let opened: Vec<FoldLine> = before.iter().filter(is_opened).copied().collect();
-        let rest_before = |line: &FoldLine| {
+        let is_opened = |old: &&SheetCrease| !lines.iter().any(|line| line.through == old.through);
+        let opened: Vec<SheetCrease> = before.iter().filter(is_opened).copied().collect();
+        let rest_before = |line: &SheetCrease| {
             let known = before.iter().find(|old| old.through == line.through);
             known.map_or(0.0, |old| old.rest)
         };
         let all = lines.iter().chain(&opened);
-        let creased: Vec<FoldLine> = all
-            .map(|line| FoldLine {
+        let creased: Vec<SheetCrease> = all
+            .map(|line| SheetCrease {
                 rest: rest_before(line),
                 ..*line
             })
             .collect();
-        let rests = |of: &[FoldLine]| of.iter().map(|line| line.rest as f32).collect();
+        let rests = |of: &[SheetCrease]| of.iter().map(|line| line.rest as f32).collect();
         if book.crease(leaf, &creased) {
             let to = lines.iter().map(|line| line.rest as f32);
             return Some(TimedFolding {
@@ -74,10 +74,10 @@ impl TimedFolding {
         // Folds that were opened together with new ones are done; those that were opened alone are not
         // folded yet.
         let is_folded = self.to.iter().any(|rest| *rest != 0.0);
-        let rest = |line: &FoldLine| if is_folded { line.rest } else { 0.0 };
-        let flat: Vec<FoldLine> = after
+        let rest = |line: &SheetCrease| if is_folded { line.rest } else { 0.0 };
+        let flat: Vec<SheetCrease> = after
             .iter()
-            .map(|line| FoldLine {
+            .map(|line| SheetCrease {
                 rest: rest(line),
                 ..*line
             })

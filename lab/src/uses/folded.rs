@@ -4,7 +4,7 @@ use std::fmt::{self, Display, Formatter};
 use std::ops::Range;
 
 use serde::Serialize;
-use turnleaf_engine::{FoldLine, Stock};
+use turnleaf_engine::{SheetCrease, Stock};
 
 use super::act::{FLICK, carry};
 use super::folded_figures::{FoldedFigures, Seen};
@@ -68,10 +68,16 @@ impl Shape {
     }
 
     /// Its folds on a page of this width and height, metres, toward the recto (1) or the verso (-1).
-    fn folds(self, random: &mut Random, stock: &Stock, page: [f64; 2], sign: f32) -> Vec<FoldLine> {
+    fn folds(
+        self,
+        random: &mut Random,
+        stock: &Stock,
+        page: [f64; 2],
+        sign: f32,
+    ) -> Vec<SheetCrease> {
         let line = |through: [[f32; 2]; 2], degrees: f32| {
             let rest = f64::from(sign * degrees).to_radians();
-            FoldLine::pressed(through.map(|at| at.map(f64::from)), rest, stock, page[0])
+            SheetCrease::pressed(through.map(|at| at.map(f64::from)), rest, stock, page[0])
         };
         let along = |u: f32, degrees: f32| line([[u, 0.0], [u, 1.0]], degrees);
         let size = random.between(EARS[0], EARS[1]);
@@ -131,7 +137,7 @@ impl Deed {
 
     /// Does what belongs before a frame, in a book that lay open at a spread. Returns whether it is
     /// not done yet.
-    fn act(self, reader: &mut Reader, again: &[FoldLine], spread: u32, frame: u32) -> bool {
+    fn act(self, reader: &mut Reader, again: &[SheetCrease], spread: u32, frame: u32) -> bool {
         match self {
             Deed::Turn => reader.press(1),
             Deed::TurnBack => match frame {

@@ -1,7 +1,7 @@
 //! The books that are read.
 
 use turnleaf_engine::book::{Board, Book, Paper};
-use turnleaf_engine::{FoldLine, Side, Stock};
+use turnleaf_engine::{SheetCrease, Side, Stock};
 
 /// What leaves are made of.
 pub const STOCKS: [&str; Stock::NAMES.len()] = Stock::NAMES;
@@ -53,10 +53,10 @@ impl Folded {
     }
 
     /// Folds of the two leaves that lie open, left and right, onto the pages that are seen.
-    pub fn folds(self, stock: &Stock, page: [f64; 2]) -> [Vec<FoldLine>; 2] {
+    pub fn folds(self, stock: &Stock, page: [f64; 2]) -> [Vec<SheetCrease>; 2] {
         [-1.0, 1.0].map(|sign| {
             let rest = sign * PRESSED.to_radians();
-            let fold = |through| FoldLine::pressed(through, rest, stock, page[0]);
+            let fold = |through| SheetCrease::pressed(through, rest, stock, page[0]);
             self.line(page).map(fold).into_iter().collect()
         })
     }
@@ -73,7 +73,7 @@ impl Folded {
 
 /// Opens a book at its first quarter, whose two leaves that lie open, left and right, are folded.
 /// Returns it, how many leaves it has, and how many of them are on the left.
-pub fn open(folds: &[Vec<FoldLine>; 2], stock: Stock, page: [f64; 2]) -> (Book, u32, u32) {
+pub fn open(folds: &[Vec<SheetCrease>; 2], stock: Stock, page: [f64; 2]) -> (Book, u32, u32) {
     let leaves = LEAVES.min((THICKEST / stock.caliper) as u32);
     let thickness = stock.caliper * f64::from(leaves);
     let mut book = Book::new(page[0], page[1], leaves, thickness).expect("these are a book's");

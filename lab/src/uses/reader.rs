@@ -3,7 +3,7 @@
 
 use cpu_time::ThreadTime;
 use turnleaf_engine::book::{Book, TICK};
-use turnleaf_engine::{FoldLine, Side};
+use turnleaf_engine::{SheetCrease, Side};
 
 use super::watch::{Frame, Watch, Watched};
 use crate::gestures::creasing::measure_at_rest;
@@ -104,7 +104,7 @@ impl Reader {
     }
 
     /// Picks up the leaf on the right and folds it along lines, in place of its folds.
-    pub fn fold(&mut self, lines: &[FoldLine]) {
+    pub fn fold(&mut self, lines: &[SheetCrease]) {
         let leaf = self.right_end();
         self.take(Side::Right);
         if self.taken.is_none() {

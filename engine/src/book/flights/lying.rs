@@ -7,12 +7,12 @@ use crate::book::gutter::Gutter;
 use crate::book::phase::Phase;
 use crate::book::pile::Pile;
 use crate::grid::Side;
-use crate::models::sheet::FoldLine;
+use crate::models::sheet::SheetCrease;
 
 impl Flights {
     /// Creases a leaf along lines in place of those that it has: where it flies or lies, it
     /// goes on from there. Returns whether it can be; if not, nothing changes.
-    pub fn crease(&mut self, leaf: u32, creases: &[FoldLine]) -> bool {
+    pub fn crease(&mut self, leaf: u32, creases: &[SheetCrease]) -> bool {
         let size = self.pattern.size;
         let can_fold = creases
             .iter()
@@ -44,7 +44,7 @@ impl Flights {
         true
     }
 
-    /// Turns the rest of a crease of a leaf to an angle, radians as [`FoldLine::rest`], and
+    /// Turns the rest of a crease of a leaf to an angle, radians as [`SheetCrease::rest`], and
     /// wakes the leaf. Nothing happens where no such leaf is drawn by itself.
     pub fn press(&mut self, leaf: u32, crease: usize, rest: f32) {
         if let Some(index) = self.drawn(leaf) {
@@ -55,7 +55,7 @@ impl Flights {
     }
 
     /// The creases of a leaf, each with the angle at which it rests now.
-    pub fn creases(&self, leaf: u32) -> Vec<FoldLine> {
+    pub fn creases(&self, leaf: u32) -> Vec<SheetCrease> {
         match self.drawn(leaf) {
             Some(index) => self.order[index].leaf().creases(),
             None => self.creased.of(leaf).unwrap_or_default().to_vec(),

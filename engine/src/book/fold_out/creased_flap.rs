@@ -3,7 +3,7 @@
 use super::panels::Panels;
 use crate::book::folded_sheet::FoldedSheet;
 use crate::grid::Side;
-use crate::models::sheet::{FoldLine, Sheet};
+use crate::models::sheet::{Sheet, SheetCrease};
 
 /// What a flap with further folds has beside any other.
 #[derive(Clone, Debug)]
@@ -20,13 +20,13 @@ impl CreasedFlap {
     pub fn new(
         sheet: &mut Sheet,
         (panels, side): (Panels, Side),
-        crease: &FoldLine,
+        crease: &SheetCrease,
     ) -> Option<CreasedFlap> {
         let ways = (1..panels.count).map(|fold| side.sign() * Panels::way(fold));
         let ways: Vec<f32> = ways.collect();
         let folds = (1..panels.count).zip(&ways).map(|(fold, way)| {
             let at = fold as f64 / panels.count as f64;
-            FoldLine {
+            SheetCrease {
                 through: [[at, 0.0], [at, 1.0]],
                 rest: f64::from(*way) * crease.rest,
                 ..*crease

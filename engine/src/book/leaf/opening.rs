@@ -1,6 +1,6 @@
 //! How creases open that were pressed shut under other leaves.
 
-use crate::models::sheet::FoldLine;
+use crate::models::sheet::SheetCrease;
 
 /// Ticks in which creases open that were pressed shut: half a second, as they are folded in by hand.
 /// Paper that was pressed recovers in time; let go at once, a letter would leap.
@@ -28,12 +28,12 @@ impl Opening {
 
     /// Has creases along these lines that have not begun to open creep toward where they are pressed
     /// to, for so many seconds.
-    pub fn creep(&mut self, lines: &[FoldLine], seconds: f64) {
+    pub fn creep(&mut self, lines: &[SheetCrease], seconds: f64) {
         if self.ticks > 0 {
             return;
         }
         for ((line, pressed), to) in lines.iter().zip(&self.from).zip(&mut self.to) {
-            let made = FoldLine {
+            let made = SheetCrease {
                 rest: f64::from(*to),
                 ..*line
             };

@@ -6,7 +6,7 @@ use crate::book::phase::Phase;
 use crate::contact::flaps::Flaps;
 use crate::creased_only::CreasedOnly;
 use crate::grid::Side;
-use crate::models::sheet::FoldLine;
+use crate::models::sheet::SheetCrease;
 
 impl Leaf {
     /// Lays the leaf still on a side as it lies under others, its folds shut. Woken, it opens them
@@ -93,7 +93,7 @@ impl Leaf {
     }
 
     /// The creases of the leaf, each with the angle at which it rests, or will once it is open.
-    pub fn creases(&self) -> Vec<FoldLine> {
+    pub fn creases(&self) -> Vec<SheetCrease> {
         let mut creases = self.sheet.creases();
         if let Some(opening) = self.opening.as_ref() {
             for (crease, to) in creases.iter_mut().zip(&opening.to) {
@@ -103,7 +103,7 @@ impl Leaf {
         creases
     }
 
-    /// Turns the rest of a crease to an angle, radians as [`FoldLine::rest`]; one that is opening
+    /// Turns the rest of a crease to an angle, radians as [`SheetCrease::rest`]; one that is opening
     /// goes on to there.
     pub fn press(&mut self, crease: usize, rest: f32) {
         // Where it was to be eased to rest it would lie as it landed, folded as it was then.

@@ -606,14 +606,14 @@ fn leaves_that_have_passed_each_other_are_put_down_in_their_order() {
 #[test]
 #[cfg(feature = "creases")]
 fn a_leaf_folded_upon_its_folds_that_stays_upright_is_put_down_on_its_side() {
-    use crate::models::sheet::FoldLine;
+    use crate::models::sheet::SheetCrease;
     for side in [Side::Right, Side::Left] {
         let drawn = crate::interpolate::uniform_samples(27);
         let size = [f64::from(WIDTH), 0.21];
         let mut leaf = Leaf::new(size, &crate::book::Paper::default(), 0.0, (&drawn, 27));
         let along = |u: f64, degrees: f64| {
             let through = [[u, 0.0], [u, 1.0]];
-            FoldLine::pressed(through, degrees.to_radians(), &Stock::BOOK, size[0])
+            SheetCrease::pressed(through, degrees.to_radians(), &Stock::BOOK, size[0])
         };
         assert!(leaf.crease(&[along(0.7, 175.0), along(0.4, 160.0)]));
         leaf.sheet.lay_folded(side);
@@ -648,7 +648,7 @@ fn a_leaf_folded_upon_its_folds_that_stays_upright_is_put_down_on_its_side() {
 fn drawn_through_itself(
     book: &Book,
     index: usize,
-    creases: &[crate::models::sheet::FoldLine],
+    creases: &[crate::models::sheet::SheetCrease],
 ) -> f32 {
     let (surface, mesh) = (
         book.surface(index).unwrap(),
@@ -664,9 +664,9 @@ fn drawn_through_itself(
 #[cfg(feature = "creases")]
 fn a_folded_leaf_that_comes_to_lie_through_itself_is_opened_anew() {
     use crate::contact::mesh::find_beyond;
-    use crate::models::sheet::FoldLine;
+    use crate::models::sheet::SheetCrease;
     let through = [[0.6, 0.0], [0.6, 1.0]];
-    let crease = FoldLine::pressed(through, 160f64.to_radians(), &Stock::BOOK, f64::from(WIDTH));
+    let crease = SheetCrease::pressed(through, 160f64.to_radians(), &Stock::BOOK, f64::from(WIDTH));
     for tilt in [0.0, 0.2] {
         let mut book = book();
         assert!(book.crease(40, &[crease]));

@@ -3,18 +3,18 @@
 use super::tests::{AROUND, deepest, held_folded, pulled, settle, tear_off};
 use super::*;
 use crate::book::parts_depth::depth_of_parts;
-use crate::models::sheet::FoldLine;
+use crate::models::sheet::SheetCrease;
 use crate::stock::Stock;
 
 /// How deep a sheet that lies is drawn in itself at most, metres.
 const DEEP: f32 = 1e-4;
 
-fn fold(from: [f64; 2], to: [f64; 2], degrees: f64, stock: &Stock) -> FoldLine {
-    FoldLine::pressed([from, to], degrees.to_radians(), stock, 0.148)
+fn fold(from: [f64; 2], to: [f64; 2], degrees: f64, stock: &Stock) -> SheetCrease {
+    SheetCrease::pressed([from, to], degrees.to_radians(), stock, 0.148)
 }
 
 /// A corner at the head, and in two toward the recto and toward the verso.
-fn foldings(stock: &Stock) -> [Vec<FoldLine>; 3] {
+fn foldings(stock: &Stock) -> [Vec<SheetCrease>; 3] {
     let along = |u, degrees| fold([u, 0.0], [u, 1.0], degrees, stock);
     [
         vec![fold([0.8, 1.0], [1.0, 0.86], 160.0, stock)],

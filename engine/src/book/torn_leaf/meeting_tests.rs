@@ -6,7 +6,7 @@ use crate::book::loose_sheets::{step_together, wake_upon};
 use crate::book::stillness::LONGEST_FALL;
 use crate::contact::aabb::Aabb;
 use crate::contact::tolerance::OVER_PILE;
-use crate::models::sheet::FoldLine;
+use crate::models::sheet::SheetCrease;
 use crate::stock::Stock;
 
 /// Farthest that a point of a sheet that no grab holds moves within a tick, metres: at 2.5 m/s, as
@@ -388,7 +388,7 @@ fn a_ball_and_a_sheet_lie_upon_each_other() {
 
 #[test]
 fn a_folded_sheet_and_another_lie_upon_each_other() {
-    let line = FoldLine::pressed([[0.6, 0.0], [0.6, 1.0]], 2.8, &Stock::BOOK, 0.148);
+    let line = SheetCrease::pressed([[0.6, 0.0], [0.6, 1.0]], 2.8, &Stock::BOOK, 0.148);
     let at = [0.3, 0.5];
     let (book, id) = held_folded(Side::Right, Stock::BOOK, at, &[line]);
     let (mut folded, ..) = tear_off(&book, id, TearLine::Sewn, (Side::Right, at));

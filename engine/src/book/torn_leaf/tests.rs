@@ -4,7 +4,7 @@ use super::*;
 use crate::book::stillness::LONGEST_FALL;
 use crate::book::{Board, Book};
 use crate::grid::Side;
-use crate::models::sheet::FoldLine;
+use crate::models::sheet::SheetCrease;
 use crate::stock::Stock;
 
 pub(super) const AROUND: TableAround = TableAround {
@@ -25,7 +25,7 @@ pub(super) fn held_folded(
     side: Side,
     stock: Stock,
     [u, v]: [f32; 2],
-    lines: &[FoldLine],
+    lines: &[SheetCrease],
 ) -> (Book, u32) {
     let mut book = Book::new(0.148, 0.21, 100, 0.01).unwrap();
     let mut paper = *book.paper();

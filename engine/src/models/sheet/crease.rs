@@ -12,7 +12,7 @@ use crate::stock::Stock;
 
 /// A straight crease across a sheet, from edge to edge.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct FoldLine {
+pub struct SheetCrease {
     /// Two places on its line, each u and v within 0 to 1; the crease goes on to the
     /// sheet's edges.
     pub through: [[f64; 2]; 2],
@@ -43,11 +43,11 @@ const YIELDS: f64 = 0.5;
 /// taken for degrees; the same in every load and caliper).
 const CREEP: f64 = 6.0 / 180.0 * core::f64::consts::PI / core::f64::consts::LN_10;
 
-impl FoldLine {
+impl SheetCrease {
     /// A crease pressed by hand through two places (u and v) into a page `width` metres wide,
-    /// of a stock, that rests at an angle, radians as [`FoldLine::rest`].
-    pub fn pressed(through: [[f64; 2]; 2], rest: f64, stock: &Stock, width: f64) -> FoldLine {
-        FoldLine {
+    /// of a stock, that rests at an angle, radians as [`SheetCrease::rest`].
+    pub fn pressed(through: [[f64; 2]; 2], rest: f64, stock: &Stock, width: f64) -> SheetCrease {
+        SheetCrease {
             through,
             rest,
             stiffness: PRESSED * stock.stiffness_across / width,
@@ -59,7 +59,7 @@ impl FoldLine {
     /// The crease after so many seconds in which it is held at an angle, radians as
     /// [`rest`](Self::rest), as one pressed by hand creeps. Beyond its yield it springs back, as
     /// all creases do that no hand holds.
-    pub(crate) fn held_at(&self, angle: f64, seconds: f64) -> FoldLine {
+    pub(crate) fn held_at(&self, angle: f64, seconds: f64) -> SheetCrease {
         let turned = angle - self.rest;
         let hinge = Plasticity {
             yields: self.yields,
@@ -70,7 +70,7 @@ impl FoldLine {
         } else {
             0.0
         };
-        FoldLine {
+        SheetCrease {
             rest: self.rest + crept,
             ..*self
         }

@@ -1,6 +1,6 @@
 //! What a creased sheet has beside any other.
 
-use super::crease::FoldLine;
+use super::crease::SheetCrease;
 use super::hinges::Hinges;
 use super::patches::Patches;
 use super::torn::Torn;
@@ -8,7 +8,7 @@ use super::torn::Torn;
 /// The creases of a sheet, and what bends and draws it once it has some.
 #[derive(Clone, Debug)]
 pub(super) struct Creased {
-    pub lines: Vec<FoldLine>,
+    pub lines: Vec<SheetCrease>,
     /// What bends in the place of second differences.
     pub hinges: Hinges,
     /// What draws it in the place of splines; None where it is crumpled, and drawn as facets.

@@ -1,7 +1,7 @@
 //! How a sheet is creased, and what can be asked of its creases.
 
 use super::Sheet;
-use super::crease::FoldLine;
+use super::crease::SheetCrease;
 use super::creased::Creased;
 use super::facets;
 use super::hinges::Hinges;
@@ -28,8 +28,8 @@ impl Sheet {
     /// # Errors
     /// Where a line is none, or its nodes are too few for so many or so near lines; the
     /// sheet is then as it was.
-    pub fn crease(&mut self, lines: &[FoldLine]) -> Result<(), InvalidSheet> {
-        if !CAN_CREASE || !lines.iter().all(FoldLine::is_valid) {
+    pub fn crease(&mut self, lines: &[SheetCrease]) -> Result<(), InvalidSheet> {
+        if !CAN_CREASE || !lines.iter().all(SheetCrease::is_valid) {
             return Err(InvalidSheet::Crease);
         }
         let crowded = || InvalidSheet::Creases(lines.len());
@@ -103,12 +103,12 @@ impl Sheet {
     }
 
     /// The creases of the sheet, each with the angle at which it rests now.
-    pub fn creases(&self) -> Vec<FoldLine> {
+    pub fn creases(&self) -> Vec<SheetCrease> {
         let Some(Creased { lines, hinges, .. }) = self.creased() else {
             return Vec::new();
         };
         let lines = lines.iter().enumerate();
-        let rests = lines.map(|(crease, line)| FoldLine {
+        let rests = lines.map(|(crease, line)| SheetCrease {
             rest: hinges
                 .crease(crease)
                 .map_or(line.rest, |[_, rest]| f64::from(rest).clamp(-PI, PI)),
@@ -130,15 +130,15 @@ impl Sheet {
     /// beyond a right angle are shut, but for those that no paper could be with others that it
     /// crosses, or that would have a part lie below the rest and reach to the spine, and others flat. `heights` say how high each node lies, the
     /// sheet's recto up, metres. Those at the spine stay on the table. Returns the angle at which
-    /// each crease then is, radians as [`FoldLine::rest`].
+    /// each crease then is, radians as [`SheetCrease::rest`].
     pub fn lay_pressed(&mut self, side: Side, heights: &[f32]) -> Vec<f32> {
         let rests = self.creases();
-        let flat = |crease: &FoldLine| FoldLine {
+        let flat = |crease: &SheetCrease| SheetCrease {
             rest: 0.0,
             ..*crease
         };
-        let mut creases: Vec<FoldLine> = rests.iter().map(flat).collect();
-        for (crease, FoldLine { rest, .. }) in rests.iter().enumerate() {
+        let mut creases: Vec<SheetCrease> = rests.iter().map(flat).collect();
+        for (crease, SheetCrease { rest, .. }) in rests.iter().enumerate() {
             if rest.abs() > 0.5 * PI {
                 creases[crease].rest = PI.copysign(*rest);
                 self.turn_about(side, &creases, false);
@@ -184,8 +184,8 @@ impl Sheet {
         let creased = self.creased()?;
         let drawn = &creased.patches.as_ref()?.drawn;
         let lines = creased.lines.iter().enumerate();
-        let lines: Vec<FoldLine> = lines
-            .map(|(crease, line)| FoldLine {
+        let lines: Vec<SheetCrease> = lines
+            .map(|(crease, line)| SheetCrease {
                 rest: if shut >> crease & 1 == 1 { PI } else { 0.0 },
                 ..*line
             })
@@ -251,7 +251,7 @@ impl Sheet {
 
     /// Lays the sheet still on a side, turned about each crease to the angle of the crease, and raised
     /// about the spine or not until no part lies under the table.
-    fn turn_about(&mut self, side: Side, creases: &[FoldLine], is_raised: bool) {
+    fn turn_about(&mut self, side: Side, creases: &[SheetCrease], is_raised: bool) {
         self.lay_flat(side);
         if !self.is_creased() {
             return;
@@ -327,7 +327,7 @@ impl Sheet {
         &self,
         samples: [&[f32]; 2],
         material: &Material,
-        lines: &[FoldLine],
+        lines: &[SheetCrease],
     ) -> Option<Patches> {
         let reaches = |along: &&[f32]| along.first() == Some(&0.0) && along.last() == Some(&1.0);
         if !samples.iter().all(reaches) {
@@ -412,13 +412,13 @@ impl Sheet {
         lines.map_or_else(Vec::new, |lines| triangles(&self.material, lines))
     }
 
-    /// Angle of a crease now and its rest, radians as [`FoldLine::rest`]: means over its
+    /// Angle of a crease now and its rest, radians as [`SheetCrease::rest`]: means over its
     /// length. None where there is no such crease.
     pub fn crease_angle(&self, crease: usize) -> Option<[f32; 2]> {
         self.creased()?.hinges.crease(crease)
     }
 
-    /// Gives a crease another rest angle, radians as [`FoldLine::rest`]. Nothing happens
+    /// Gives a crease another rest angle, radians as [`SheetCrease::rest`]. Nothing happens
     /// where there is no such crease.
     pub fn press(&mut self, crease: usize, rest: f32) {
         if let Some(Creased { hinges, .. }) = self.creased_mut() {
@@ -429,7 +429,7 @@ impl Sheet {
 
 /// Where a sheet's nodes are that lies flat on the right but for its creases, each turned to
 /// its rest angle, metres. Of two creases the one that lies beyond the other turns first.
-fn fold_flat(material: &Material, creases: &[FoldLine]) -> Vec<[f64; 3]> {
+fn fold_flat(material: &Material, creases: &[SheetCrease]) -> Vec<[f64; 3]> {
     let mut turns = turns(material, creases);
     turns.sort_by_key(|turn| turn.beyond);
     let places = material.places.iter().map(|place| {
@@ -452,13 +452,13 @@ fn fold_flat(material: &Material, creases: &[FoldLine]) -> Vec<[f64; 3]> {
 /// it among them; 0 where it lies upon another.
 fn layers<'a>(
     material: &'a Material,
-    creases: &[FoldLine],
+    creases: &[SheetCrease],
     shut: u16,
 ) -> impl Fn([usize; 3]) -> usize + 'a {
     let rest = |crease: usize| if shut >> crease & 1 == 1 { PI } else { 0.0 };
     let lines = creases.iter().enumerate();
-    let lines: Vec<FoldLine> = lines
-        .map(|(crease, line)| FoldLine {
+    let lines: Vec<SheetCrease> = lines
+        .map(|(crease, line)| SheetCrease {
             rest: rest(crease),
             ..*line
         })
@@ -490,7 +490,7 @@ fn layers<'a>(
 }
 
 /// The triangles of a creased material, each with the creases that it lies beyond.
-fn triangles(material: &Material, creases: &[FoldLine]) -> Vec<([usize; 3], u16)> {
+fn triangles(material: &Material, creases: &[SheetCrease]) -> Vec<([usize; 3], u16)> {
     let turns = turns(material, creases);
     let triangles = material.cells().flat_map(|foot| cut(material, foot, true));
     let parts = triangles.map(|corners| {
@@ -504,7 +504,7 @@ fn triangles(material: &Material, creases: &[FoldLine]) -> Vec<([usize; 3], u16)
 }
 
 /// How the parts of a sheet beyond creases turn about them.
-fn turns(material: &Material, creases: &[FoldLine]) -> Vec<Turn> {
+fn turns(material: &Material, creases: &[SheetCrease]) -> Vec<Turn> {
     let creases = creases.iter().enumerate();
     let turns = creases.filter_map(|(number, crease)| Turn::of(material, number, crease));
     turns.collect()
@@ -524,7 +524,7 @@ struct Turn {
 }
 
 impl Turn {
-    fn of(material: &Material, number: usize, crease: &FoldLine) -> Option<Turn> {
+    fn of(material: &Material, number: usize, crease: &SheetCrease) -> Option<Turn> {
         let line = material.line(crease)?;
         let [along, up] = [line.to[0] - line.from[0], line.to[1] - line.from[1]];
         let length = libm::hypot(along, up);

@@ -12,8 +12,8 @@ use crate::trials::{PAGE, hanging};
 /// easily as six times its paper.
 const PRESSED: f64 = 6.0 * 2.6e-4 / 0.148;
 
-fn line(from: [f64; 2], to: [f64; 2], rest: f64) -> FoldLine {
-    FoldLine {
+fn line(from: [f64; 2], to: [f64; 2], rest: f64) -> SheetCrease {
+    SheetCrease {
         through: [from, to],
         rest: rest.to_radians(),
         stiffness: PRESSED,
@@ -23,7 +23,7 @@ fn line(from: [f64; 2], to: [f64; 2], rest: f64) -> FoldLine {
 }
 
 /// Across the corner of foot and fore-edge of a page, `size` metres from it on both edges.
-fn dog_ear(size: f64, rest: f64) -> FoldLine {
+fn dog_ear(size: f64, rest: f64) -> SheetCrease {
     line([1.0 - size / PAGE[0], 0.0], [1.0, size / PAGE[1]], rest)
 }
 
@@ -129,7 +129,7 @@ fn a_sheet_creased_flat_without_weight_stays_as_it_is() {
 }
 
 /// A sheet turned by a crease's rest angle beyond it, as if without weight.
-fn fold(sheet: &mut Sheet, crease: &FoldLine) {
+fn fold(sheet: &mut Sheet, crease: &SheetCrease) {
     let [a, b] = crease
         .through
         .map(|[u, v]| [(u * PAGE[0]) as f32, (v * PAGE[1]) as f32]);
@@ -180,7 +180,7 @@ fn a_sheet_folded_to_its_rest_angle_bears_no_moment() {
 #[test]
 fn a_fold_that_is_turned_further_than_it_yields_keeps_the_rest() {
     let mut sheet = Sheet::new(leaf()).unwrap();
-    let crease = FoldLine {
+    let crease = SheetCrease {
         yields: 0.2,
         ..dog_ear(0.05, 0.0)
     };
@@ -212,10 +212,10 @@ fn a_fold_that_is_turned_further_than_it_yields_keeps_the_rest() {
 
 /// A page bent along a crease by an angle and held there, and how far its crease is turned off
 /// its rest after each of some times, with the part of the turn that the crease takes.
-fn turned_off_rest(crease: FoldLine, angle: f64, seconds: &[f64]) -> Vec<[f64; 2]> {
+fn turned_off_rest(crease: SheetCrease, angle: f64, seconds: &[f64]) -> Vec<[f64; 2]> {
     let mut sheet = Sheet::new(leaf()).unwrap();
     sheet.crease(&[crease]).unwrap();
-    let bent = FoldLine {
+    let bent = SheetCrease {
         rest: angle,
         ..crease
     };
@@ -240,12 +240,12 @@ fn turned_off_rest(crease: FoldLine, angle: f64, seconds: &[f64]) -> Vec<[f64; 2
 
 #[test]
 fn a_crease_that_is_held_creeps_with_the_logarithm_of_time() {
-    let crease = FoldLine {
+    let crease = SheetCrease {
         yields: 0.5,
         creep: 0.02,
         ..line([0.5, 0.0], [0.5, 1.0], 0.0)
     };
-    let still = FoldLine {
+    let still = SheetCrease {
         creep: 0.0,
         ..crease
     };
@@ -299,7 +299,7 @@ fn hang_creased_strips(one_in: usize) {
             ..paper.sheet([PAGE[0], PAGE[0] / 3.0])
         };
         let mut sheet = Sheet::new(settings).unwrap();
-        let crease = FoldLine {
+        let crease = SheetCrease {
             through: [[at, 0.0], [at, 1.0]],
             rest: rest.to_radians(),
             stiffness: stiffness * stock.stiffness_across / PAGE[0],
@@ -335,14 +335,14 @@ fn hang_creased_strips(one_in: usize) {
 #[test]
 fn any_creases_stay_finite_and_whole_under_any_hand() {
     for_seeds(|random| {
-        let stock = Stock::named(Stock::NAMES[random.below(5)]).unwrap();
+        let stock = Stock::PRESETS[random.below(Stock::PRESETS.len() - 1)].1;
         let paper = crate::book::Paper {
             stock,
             ..Default::default()
         };
         let mut sheet = Sheet::new(paper.sheet(PAGE)).unwrap();
-        let creases: Vec<FoldLine> = (0..1 + random.below(3))
-            .map(|_| FoldLine {
+        let creases: Vec<SheetCrease> = (0..1 + random.below(3))
+            .map(|_| SheetCrease {
                 rest: f64::from(random.between(-3.0, 3.0)),
                 yields: f64::from(random.between(0.05, 1.0)),
                 ..line(any_place(random), any_place(random), 0.0)
@@ -417,20 +417,20 @@ fn creases_that_are_none_leave_the_sheet_as_it_was() {
     let mut sheet = Sheet::new(leaf()).unwrap();
     let good = dog_ear(0.05, 90.0);
     let wrong = [
-        FoldLine {
+        SheetCrease {
             stiffness: 0.0,
             ..good
         },
-        FoldLine { rest: 4.0, ..good },
-        FoldLine {
+        SheetCrease { rest: 4.0, ..good },
+        SheetCrease {
             through: [[0.5, f64::NAN], [0.5, 1.0]],
             ..good
         },
-        FoldLine {
+        SheetCrease {
             through: [[0.5, 0.5], [0.5, 0.5]],
             ..good
         },
-        FoldLine {
+        SheetCrease {
             through: [[1.0, 0.0], [1.0, 1.0]],
             ..good
         },

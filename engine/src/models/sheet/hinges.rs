@@ -11,7 +11,7 @@
 //! Of the Hessian the part is left out that moments have by the angles' second
 //! derivatives: what remains is never negative.
 
-use super::crease::FoldLine;
+use super::crease::SheetCrease;
 use super::hinge_angles::{Hinge, Slopes, angles, measure};
 use super::hinge_triangle::HingeTriangle;
 use super::material::{Material, cut};
@@ -72,7 +72,7 @@ pub(super) struct Hinges {
 
 impl Hinges {
     /// Of a sheet that is flat now.
-    pub fn new(settings: &SheetSettings, material: &Material, creases: &[FoldLine]) -> Self {
+    pub fn new(settings: &SheetSettings, material: &Material, creases: &[SheetCrease]) -> Self {
         let nodes = material.places.len();
         let mut hinges = Self {
             columns: material.columns,
@@ -288,7 +288,7 @@ impl Hinges {
     }
 
     /// Makes folds of the hinges on creases.
-    fn fold(&mut self, material: &Material, creases: &[FoldLine], own: usize) {
+    fn fold(&mut self, material: &Material, creases: &[SheetCrease], own: usize) {
         for (hinge, &[from, to, ..]) in self.hinges[..own].iter().enumerate() {
             let edge = [from.min(to), from.max(to)];
             let Some((_, crease)) = material.folds.iter().find(|(fold, _)| *fold == edge) else {
@@ -301,7 +301,7 @@ impl Hinges {
 
     /// Makes a fold of every hinge, flat at first, as if each were creased by hand.
     fn fold_everywhere(&mut self, settings: &SheetSettings, material: &Material, own: usize) {
-        let line = FoldLine::pressed([[0.0; 2]; 2], 0.0, &settings.stock, settings.width);
+        let line = SheetCrease::pressed([[0.0; 2]; 2], 0.0, &settings.stock, settings.width);
         let count = material.places.len();
         let inner = (0..own).filter(|hinge| self.hinges[*hinge][2] < count);
         let folds = inner.map(|hinge| Fold {
@@ -313,7 +313,13 @@ impl Hinges {
     }
 
     /// A hinge as part of a crease.
-    fn fold_at(&self, hinge: usize, crease: usize, material: &Material, line: &FoldLine) -> Fold {
+    fn fold_at(
+        &self,
+        hinge: usize,
+        crease: usize,
+        material: &Material,
+        line: &SheetCrease,
+    ) -> Fold {
         let triangles = self.triangles.iter();
         let paper: f64 = triangles
             .map(|triangle| f64::from(triangle.stiffness_at(hinge)))
@@ -449,7 +455,7 @@ impl Hinges {
     }
 
     /// Mean angle of a crease over its edges, and that of its rest, radians as
-    /// [`FoldLine::rest`]; None where there is no such crease.
+    /// [`SheetCrease::rest`]; None where there is no such crease.
     pub fn crease(&self, crease: usize) -> Option<[f32; 2]> {
         let (mut sum, mut count) = ([0.0; 2], 0.0);
         for fold in self.folds.iter().filter(|fold| fold.crease == crease) {
@@ -460,7 +466,7 @@ impl Hinges {
         (count > 0.0).then(|| sum.map(|sum| sum / count))
     }
 
-    /// Turns the rest of a crease to an angle, radians as [`FoldLine::rest`].
+    /// Turns the rest of a crease to an angle, radians as [`SheetCrease::rest`].
     pub fn set_rest(&mut self, crease: usize, rest: f32) {
         for fold in self.folds.iter_mut().filter(|fold| fold.crease == crease) {
             fold.rest = -rest;

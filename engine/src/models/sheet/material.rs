@@ -5,7 +5,7 @@
 //! cells change as little as they can. The grid itself stays: the same nodes in the
 //! same rows, for contacts, grabs and drawing.
 
-use super::crease::FoldLine;
+use super::crease::SheetCrease;
 use super::flat::{distance, twice_area, weights};
 use super::settings::{CAN_CREASE, CAN_TEAR, SheetSettings};
 use crate::grid::cut_cell;
@@ -140,7 +140,7 @@ impl Material {
 
     /// The grid with creases through it. None where nodes are too few for them: two lie
     /// too near each other, or nearly along an edge.
-    pub fn creased(mut self, creases: &[FoldLine]) -> Option<Self> {
+    pub fn creased(mut self, creases: &[SheetCrease]) -> Option<Self> {
         if creases.is_empty() {
             return Some(self);
         }
@@ -306,7 +306,7 @@ impl Material {
     }
 
     /// The whole line of a crease.
-    pub fn line(&self, fold: &FoldLine) -> Option<Line> {
+    pub fn line(&self, fold: &SheetCrease) -> Option<Line> {
         let size = self.size;
         let [a, b] = fold.through.map(|at| [at[0] * size[0], at[1] * size[1]]);
         let way = [b[0] - a[0], b[1] - a[1]];

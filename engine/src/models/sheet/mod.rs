@@ -47,7 +47,7 @@ mod turned_path;
 mod turned_sheet;
 
 pub use contact::{CONTACTS, Contact};
-pub use crease::FoldLine;
+pub use crease::SheetCrease;
 pub use settings::{InvalidSheet, Root, SheetSettings};
 pub(crate) use sweep::Apart;
 

@@ -5,7 +5,7 @@
 //! a crease has a normal of its own on either side, so that the surface is smooth but there.
 //! What is drawn is the mean of the patches of both ways to cut a cell.
 
-use super::crease::FoldLine;
+use super::crease::SheetCrease;
 use super::material::{Material, cut};
 use crate::vector::{cross, dot, sub, unit};
 
@@ -48,7 +48,7 @@ impl Patches {
         material: &Material,
         columns: Vec<f64>,
         rows: Vec<f64>,
-        creases: &[FoldLine],
+        creases: &[SheetCrease],
     ) -> Option<Self> {
         let drawn = Material::over(columns, rows).creased(creases)?;
         Some(Self::over(material, drawn))
