@@ -48,12 +48,12 @@ const usual = [
 
 /** What only a book or a page that uses it loads. */
 const apart = [
-  part("another model of turning, live", 197.5, "leaf_models lying_sheet loose_leaf"),
+  part("another model of turning, live", 198, "leaf_models lying_sheet loose_leaf"),
   part("recorded turns", 20, "replay sheet_turn shell_turn"),
   // The table of formats has their names, endings and media types too, as the command reads it.
   part("opens a book of any format", 12.5, "open"),
   part("photographs of a turn", 9, "photographs images image_header"),
-  part("folded pages, leaves torn out", 230, "creasable_book folds line_folds tearing torn_pages"),
+  part("folded pages, leaves torn out", 238, "creasable_book folds line_folds tearing torn_pages"),
   part("pages that are elements, live in the air", 1, "live_drawings"),
   part("pages that are scrolled", 4, "roll_view"),
   part("sounds and films on a page", 1, "page_media"),

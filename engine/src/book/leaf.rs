@@ -9,6 +9,7 @@
 mod course;
 mod fall;
 mod held;
+mod held_shut;
 mod lead;
 mod opening;
 mod play;
@@ -34,8 +35,8 @@ use crate::stock::Stock;
 use crate::surface::Surface;
 use crate::turn::TurnModel;
 use course::Course;
+use held_shut::HeldShut;
 use opening::Opening;
-use shut::HeldShut;
 
 /// How far a released leaf's swing is looked at to choose its side, seconds.
 const LOOK_AHEAD: f32 = 0.12;
@@ -357,7 +358,7 @@ impl Leaf {
     ) {
         self.searches += 1;
         if let (true, Some(flaps)) = (itself, self.flaps.as_ref()) {
-            if self.shut.is_stacked() {
+            if self.shut.is_stacked {
                 self.sheet.touch(Vec::new());
             } else {
                 flaps.touch(&mut self.sheet, self.steps);

@@ -136,7 +136,7 @@ impl Leaf {
 
     /// Slows the leaf at the end of a tick while its creases open and nothing but its weight moves it.
     pub(super) fn slow_opening(&mut self) {
-        let is_left_alone = matches!(self.phase, Phase::Falling(_)) && !self.shut.is_held();
+        let is_left_alone = matches!(self.phase, Phase::Falling(_)) && !self.shut.is_held;
         if let Some(opening) = self.opening.as_ref().filter(|_| is_left_alone) {
             self.sheet.slow(opening.kept_speed());
         }

@@ -2,58 +2,15 @@
 //! that comes down upon it.
 
 use super::Leaf;
+use super::held_shut::SHUTTING;
 use super::lead::LYING;
 use super::opening::Opening;
-use crate::book::book_space_leaf::BookSpaceLeaf;
 use crate::book::phase::Phase;
 use crate::book::shut_folds::{Layers, ShutFolds};
 use crate::contact::flaps::Flaps;
 use crate::creased_only::CreasedOnly;
 use crate::grid::Side;
 use core::f32::consts::PI;
-
-/// Ticks in which folds are shut: 0.15 s, as a leaf is eased to rest.
-const SHUTTING: u32 = 18;
-
-/// How far the folds of a leaf are held shut.
-#[derive(Default)]
-pub(super) struct HeldShut {
-    /// Where its points lie then, if those creases are shut that rest so; found anew for others.
-    folds: CreasedOnly<ShutFolds>,
-    sought: u16,
-    /// Whether they are held, and ticks until they are shut.
-    is_held: bool,
-    ticks_left: u32,
-    /// Whether the part next to the spine carries what lies over it.
-    is_stacked: bool,
-    /// Ticks by which they are drawn shut, up to [`SHUTTING`].
-    ticks_drawn: u32,
-}
-
-impl HeldShut {
-    pub fn is_held(&self) -> bool {
-        self.is_held
-    }
-
-    /// Whether they are held shut by now, as one packet.
-    pub fn is_stacked(&self) -> bool {
-        self.is_stacked
-    }
-
-    fn folds(&self) -> Option<(&ShutFolds, f32)> {
-        let part = self.ticks_drawn as f32 / SHUTTING as f32;
-        let folds = self.folds.as_ref().filter(|_| part > 0.0);
-        folds.map(|folds| (folds, part * part * (3.0 - 2.0 * part)))
-    }
-
-    /// Brings nodes in the book to where they lie.
-    pub fn lay_in_book(&self, in_book: &mut BookSpaceLeaf) {
-        if let Some((folds, part)) = self.folds() {
-            folds.nodes.lay(&mut in_book.points, part, 1.0);
-            folds.nodes.follow(&mut in_book.turned, part);
-        }
-    }
-}
 
 impl Leaf {
     /// Lets go of its folds at once, as it is laid elsewhere.
@@ -188,7 +145,10 @@ impl Leaf {
         let rests = self.flaps().map_or(0, Flaps::resting_shut);
         if rests != self.shut.sought {
             self.shut.sought = rests;
-            self.shut.folds = ShutFolds::of(self).into();
+            let folds = self
+                .flaps()
+                .and_then(|flaps| ShutFolds::of(&self.sheet, flaps));
+            self.shut.folds = folds.into();
         }
         !self.shut.folds.is_none()
     }
