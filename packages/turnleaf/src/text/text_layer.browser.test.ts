@@ -216,23 +216,7 @@ test("the tree of accessibility has the pages in order, each with its text, and 
   const canvas = root().querySelector("canvas") as HTMLCanvasElement;
   expect(canvas.ariaHidden).toBe("true");
   expect((root().querySelector(".text") as HTMLElement).lang).toBe("en-GB");
-  const { nodes } = (await toolSession().send("Accessibility.getFullAXTree", {
-    frameId: await frameId(),
-  })) as AXTree;
-  const byId = new Map(nodes.map((node) => [node.nodeId, node]));
-  const said: string[] = [];
-  const read = (id: string): void => {
-    const node = byId.get(id);
-    const role = node?.role?.value;
-    const text = node?.name?.value ?? "";
-    // Words of a line may be laid out one by one.
-    const isOn = role === "StaticText" && /^StaticText: .* $/.test(said.at(-1) ?? "");
-    if (isOn) said[said.length - 1] += text;
-    else if (!node?.ignored && /^(group|StaticText|link|image)$/.test(role ?? ""))
-      said.push(`${role}: ${text}`);
-    if (role !== "StaticText" && role !== "link") node?.childIds?.forEach(read);
-  };
-  read(nodes[0].nodeId);
+  const said = await accessibleTexts();
   const from = said.indexOf("group: Page ii");
   expect(said.slice(from, from + 11)).toEqual([
     "group: Page ii",
@@ -249,6 +233,65 @@ test("the tree of accessibility has the pages in order, each with its text, and 
     "StaticText: Pages ii and iii of 8",
   ]);
 });
+
+test("the tree of accessibility has each paragraph of flowing text whole, over its words, and none twice", async () => {
+  const loaded = happens(element, "load");
+  const paragraph =
+    "Considerations of extraordinary <i>responsibilities</i>, notwithstanding <i>P</i>, administrators characteristically misunderstand constitutional <b>recommendations</b>.";
+  const chapter = `<h6>Of <i>things</i>, <br/>and others</h6><p>${paragraph}</p><p>One <i>t</i>wo</p><p>So <math xmlns="http://www.w3.org/1998/Math/MathML"><mi>x</mi></math> is</p>`;
+  element.setAttribute("hyphens", "auto");
+  element.setAttribute("lang", "en");
+  element.pages = new File([tinyEpub({ chapters: [chapter] })], "flow.epub");
+  await loaded;
+  await settled(element);
+  await element.goTo(1);
+  await settled(element);
+  await eventually(() => spans().length).toBeGreaterThan(10);
+  const read = paragraph.replace(/<.*?>/g, "");
+  const said = (await accessibleTexts()).filter((text) =>
+    /^(StaticText|heading|MathMLMath)/.test(text),
+  );
+  const from = said.indexOf("heading: Of things, and others");
+  expect(said.slice(from, from + 8)).toEqual([
+    "heading: Of things, and others",
+    "StaticText: Of things,",
+    "StaticText: and others",
+    `StaticText: ${read}`,
+    "StaticText: One two",
+    "StaticText: So",
+    "MathMLMath: ",
+    "StaticText: is",
+  ]);
+  const spoken = [...root().querySelectorAll<HTMLElement>(".spoken")];
+  const whole = spoken.find(({ dataset }) => dataset.text === read) as HTMLElement;
+  const box = whole.getBoundingClientRect();
+  const pieces = [...(whole.nextElementSibling?.querySelectorAll("span") ?? [])].map((piece) =>
+    piece.getBoundingClientRect(),
+  );
+  expect(pieces.length).toBeGreaterThan(5);
+  expect(Math.abs(box.top - Math.min(...pieces.map(({ top }) => top)))).toBeLessThan(2);
+  expect(Math.abs(box.left - Math.min(...pieces.map(({ left }) => left)))).toBeLessThan(2);
+  expect(Math.abs(box.bottom - Math.max(...pieces.map(({ bottom }) => bottom)))).toBeLessThan(2);
+  for (const name of ["hyphens", "lang"]) element.removeAttribute(name);
+});
+
+/** Returns the roles and names of what a screen reader meets in this document, in order. */
+async function accessibleTexts(): Promise<string[]> {
+  const { nodes } = (await toolSession().send("Accessibility.getFullAXTree", {
+    frameId: await frameId(),
+  })) as AXTree;
+  const byId = new Map(nodes.map((node) => [node.nodeId, node]));
+  const said: string[] = [];
+  const read = (id: string): void => {
+    const node = byId.get(id);
+    const role = node?.role?.value;
+    const isTold = /^(group|heading|StaticText|link|image|MathMLMath)$/.test(role ?? "");
+    if (!node?.ignored && isTold) said.push(`${role}: ${node?.name?.value ?? ""}`);
+    if (!/^(StaticText|link|MathMLMath)$/.test(role ?? "")) node?.childIds?.forEach(read);
+  };
+  read(nodes[0].nodeId);
+  return said;
+}
 
 interface AXTree {
   readonly nodes: readonly {
