@@ -106,6 +106,53 @@ test("what crosses a page is copied as one paragraph, its divided word too, and 
   for (const name of ["hyphens", "layout", "lang"]) element.removeAttribute(name);
 });
 
+test("a phrase that crosses a page is found there, and marked on both pages, together or alone", async () => {
+  const loaded = happens(element, "load");
+  const words = Array.from({ length: 160 }, (_, k) => `incomprehensibility${k}`).join(" ");
+  element.setAttribute("hyphens", "auto");
+  element.setAttribute("lang", "en");
+  element.setAttribute("layout", "spread");
+  element.pages = new File([tinyEpub({ chapters: [`<p>${words}</p>`] })], "flow.epub");
+  await loaded;
+  await settled(element);
+  const texts = (): string[] =>
+    [...root().querySelectorAll(".text > div")].map(({ textContent }) => textContent ?? "");
+  const here = (): number[] =>
+    [...root().querySelectorAll(".mark.here")].map((mark) => mark.getBoundingClientRect().left);
+  await element.goTo(2);
+  await settled(element);
+  await eventually(() => texts().filter((text) => text.includes("incomp")).length).toBe(2);
+  const query = texts()
+    .map((text, k) => (k === 0 ? text.slice(-12) : text.slice(0, 12)))
+    .join("");
+  const hits = await element.search(query);
+  expect(hits.map(({ page, text }) => [page, text])).toEqual([[2, query]]);
+  await element.showHit(hits[0] ?? null);
+  await settled(element);
+  await eventually(() => here().filter((left) => left < 320).length).toBeGreaterThan(0);
+  expect(here().filter((left) => left > 320).length).toBeGreaterThan(0);
+  // Alone, either page is marked up to its edge.
+  element.setAttribute("layout", "single");
+  await settled(element);
+  const alone: string[] = [];
+  for (const page of [2, 3]) {
+    await element.goTo(page);
+    await settled(element);
+    await eventually(() => texts().join()).toMatch(/y\d/);
+    alone.push(texts().join(""));
+  }
+  const crossing = `${alone[0]?.slice(-12)}${alone[1]?.slice(0, 12)}`;
+  const [hit] = await element.search(crossing);
+  expect([hit?.page, hit?.text]).toEqual([2, crossing]);
+  await element.showHit(hit ?? null);
+  await settled(element);
+  await eventually(() => here().length).toBeGreaterThan(0);
+  await element.goTo(3);
+  await settled(element);
+  await eventually(() => here().length).toBeGreaterThan(0);
+  for (const name of ["hyphens", "layout", "lang"]) element.removeAttribute(name);
+});
+
 test("the text is away while a leaf turns, and another lies there afterwards", async () => {
   await awayAndBack(element, () => element.next());
   const groups = [...root().querySelectorAll(".text [role=group]")];
