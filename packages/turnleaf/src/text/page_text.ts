@@ -76,7 +76,11 @@ class Paragraph {
   /** Whether a line's end ends it. */
   isEnded = false;
   #text = "";
-  #bounds: Bounds | null = null;
+  /** The sides of the box in which it is seen, CSS pixels. */
+  #left = Number.POSITIVE_INFINITY;
+  #top = Number.POSITIVE_INFINITY;
+  #right = Number.NEGATIVE_INFINITY;
+  #bottom = Number.NEGATIVE_INFINITY;
 
   constructor() {
     this.spoken.className = "spoken";
@@ -95,44 +99,26 @@ class Paragraph {
     const end = run.end ? endOf(run, next) : null;
     this.pieces.append(...pieces, ...(end ? [end] : []));
     this.#text += run.text.replaceAll("\u00ad", "") + (end?.textContent ?? "");
-    this.#bounds = boundsWith(this.#bounds, place);
+    for (const corner of [place(0, 0), place(1, 0), place(0, 1), place(1, 1)]) {
+      if (!corner) continue;
+      this.#left = Math.min(this.#left, corner.x);
+      this.#top = Math.min(this.#top, corner.y);
+      this.#right = Math.max(this.#right, corner.x);
+      this.#bottom = Math.max(this.#bottom, corner.y);
+    }
   }
 
   /** Lays what is read over what was added. */
   lay(): void {
     this.spoken.dataset.text = this.#text;
-    this.spoken.hidden = this.#bounds === null;
-    if (!this.#bounds) return;
-    const { left, top, right, bottom } = this.#bounds;
+    this.spoken.hidden = this.#right < this.#left;
     Object.assign(this.spoken.style, {
-      left: `${left}px`,
-      top: `${top}px`,
-      width: `${right - left}px`,
-      height: `${bottom - top}px`,
+      left: `${this.#left}px`,
+      top: `${this.#top}px`,
+      width: `${this.#right - this.#left}px`,
+      height: `${this.#bottom - this.#top}px`,
     });
   }
-}
-
-/** The sides of a box on the screen, CSS pixels. */
-interface Bounds {
-  readonly left: number;
-  readonly top: number;
-  readonly right: number;
-  readonly bottom: number;
-}
-
-/** Returns a box that is extended by where a run is seen. */
-function boundsWith(bounds: Bounds | null, place: Place): Bounds | null {
-  const corners = [place(0, 0), place(1, 0), place(0, 1), place(1, 1)].filter((at) => at !== null);
-  if (corners.length === 0) return bounds;
-  const xs = corners.map(({ x }) => x);
-  const ys = corners.map(({ y }) => y);
-  return {
-    left: Math.min(...xs, bounds?.left ?? Number.POSITIVE_INFINITY),
-    top: Math.min(...ys, bounds?.top ?? Number.POSITIVE_INFINITY),
-    right: Math.max(...xs, bounds?.right ?? Number.NEGATIVE_INFINITY),
-    bottom: Math.max(...ys, bounds?.bottom ?? Number.NEGATIVE_INFINITY),
-  };
 }
 
 /** Lets a heading that goes on on the next page own its rest: screen readers find one heading. */

@@ -262,8 +262,10 @@ export class TextLayer {
     for (const page of this.#groups.keys()) {
       const content = this.#contents.get(page);
       if (!content) continue;
-      const [before, after] = [this.#readBeside(page - 1), this.#readBeside(page + 1)];
-      const text = { runs: content.runs, before, after };
+      const { runs } = content;
+      const before = this.#readBeside(page - 1);
+      const after = runs.at(-1)?.wraps ? this.#readBeside(page + 1) : [];
+      const text = { runs, before, after };
       this.#marks.append(...layMarks(text, this.#shown, page, this.#projectOn(content)));
     }
   }
@@ -273,7 +275,7 @@ export class TextLayer {
     return this.#contents.get(page)?.runs ?? [];
   }
 
-  /** Returns the runs of a page beside an open one; none until they are read, then what is found is marked anew. */
+  /** Returns the runs of a page beside an open one; none until they are read. */
   #readBeside(page: number): readonly TextRun[] {
     const { source } = this.#options;
     if (this.#groups.has(page)) return this.#runsOf(page);
@@ -286,7 +288,9 @@ export class TextLayer {
       (runs) => {
         if (signal.aborted) return;
         this.#beside.set(page, runs);
-        if (!this.element.hidden) this.#mark();
+        // The text of a page before an open one matters only if it goes on there.
+        const isJoined = this.#groups.has(page - 1) || runs.at(-1)?.wraps;
+        if (isJoined && !this.element.hidden) this.#mark();
       },
       // A page that cannot be read is reported where it would be seen.
       () => {},
