@@ -362,7 +362,8 @@ export interface PageSource {
    * Returns the text of page `index` (from 0) in reading order. Rejects as
    * `draw` does.
    *
-   * @param exact whether the letters' places are wanted, which may take longer
+   * @param exact whether the letters' places are wanted, headings, and where paragraphs go on (`wraps`, which
+   * the page's last run has always), which may take longer
    */
   text?(index: number, signal: AbortSignal, exact?: boolean): Promise<readonly TextRun[]>;
   /**

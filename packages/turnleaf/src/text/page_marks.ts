@@ -3,7 +3,7 @@
 import type { TextRun } from "../sources/page_source.ts";
 import { fractionBefore } from "./fitting.ts";
 import { isFlat, layOver, type Project, placeIn } from "./run_place.ts";
-import { findIn, type SearchHit, type Stretch } from "./searching.ts";
+import { findFrom, type SearchHit, type Stretch } from "./searching.ts";
 
 /** What is marked: every place of a query faintly, and the one hit strongly. */
 export type ShownHit = Pick<SearchHit, "query" | "page" | "index">;
@@ -14,6 +14,13 @@ const beyond = 0.08;
 /** Number of pieces in which a mark that does not lie flat is laid. */
 const mostPieces = 8;
 
+/** A page's text, and that of the pages beside it, with which its first paragraph and its last may be one. */
+export interface MarkedText {
+  readonly runs: readonly TextRun[];
+  readonly before: readonly TextRun[];
+  readonly after: readonly TextRun[];
+}
+
 /**
  * Returns the marks of a page, none if it has no hit.
  *
@@ -21,16 +28,26 @@ const mostPieces = 8;
  * @csspart mark-here The one of them that is shown.
  */
 export function layMarks(
-  runs: readonly TextRun[],
+  { runs, before, after }: MarkedText,
   shown: ShownHit | null,
   page: number,
   project: Project,
 ): HTMLElement[] {
   if (shown === null) return [];
-  return findIn(runs, shown.query).flatMap((stretches, index) => {
-    const isStrong = page === shown.page && index === shown.index;
+  const lay = (stretches: readonly Stretch[], from: number, index: number): HTMLElement[] => {
+    const isStrong = from === shown.page && index === shown.index;
     return stretches.flatMap((stretch) => layStretch(runs, stretch, isStrong, project));
+  };
+  const marks = findFrom(runs, after, shown.query).flatMap((stretches, index) => {
+    const here = stretches.filter(({ run }) => run < runs.length);
+    return lay(here, page, index);
   });
+  const rests = findFrom(before, runs, shown.query).flatMap((stretches, index) => {
+    const here = stretches.filter(({ run }) => run >= before.length);
+    const own = here.map((stretch) => ({ ...stretch, run: stretch.run - before.length }));
+    return lay(own, page - 1, index);
+  });
+  return [...rests, ...marks];
 }
 
 function layStretch(

@@ -13,6 +13,9 @@ interface Piece {
   readonly to: number;
 }
 
+/** Returns where a place of a run is seen. */
+type Place = ReturnType<typeof placeIn>;
+
 /** Maximum distance of a word from its ink, CSS pixels. */
 const mostOff = 1;
 
@@ -20,6 +23,9 @@ const mostOff = 1;
  * Returns the page's text as elements in reading order, a line's end after each line that ends in itself;
  * each heading in one of their own. The rest of one that begins on the page before has no role there: that
  * page's heading owns it.
+ *
+ * The pieces lie each by itself, so to assistive technology each is a text by itself, even within a word.
+ * They are hidden from it: before those of a paragraph stands an element from which they are read as one text.
  *
  * @param before the last run of the open page before it
  * @param after the first run of the open page after it
@@ -32,19 +38,87 @@ export function layText(
 ): Node[] {
   const nodes: Node[] = [];
   let heading: HTMLElement | null = null;
+  let paragraph: Paragraph | null = null;
+  const paragraphs: Paragraph[] = [];
   for (const [k, run] of runs.entries()) {
     const last = runs[k - 1] ?? before;
     const goesOn = last?.headingGoesOn && last.heading === run.heading;
-    if (!goesOn) heading = null;
+    if (!goesOn && heading) heading = paragraph = null;
     if (run.heading !== undefined && heading === null) {
       heading = headingElement(goesOn ? null : run.heading);
       nodes.push(heading);
+      paragraph = null;
     }
-    const laid = layRun(run, runs[k + 1] ?? after, project);
-    if (heading) heading.append(...laid);
-    else nodes.push(...laid);
+    const formula = run.math === undefined ? null : formulaOf(run.math);
+    if (formula || !paragraph) {
+      paragraph = new Paragraph();
+      paragraphs.push(paragraph);
+      const { spoken, pieces } = paragraph;
+      const laid = formula ? [pieces, formula] : [spoken, pieces];
+      if (heading) heading.append(...laid);
+      else nodes.push(...laid);
+    }
+    const place = placeIn(run, project);
+    paragraph.add(run, layRun(run, place, formula), place, runs[k + 1] ?? after);
+    // A formula is read in place of its text, which is what is selected and copied.
+    if (formula || paragraph.isEnded) paragraph = null;
   }
+  for (const laid of paragraphs) laid.lay();
   return nodes;
+}
+
+/** Text that is heard as one: a paragraph, or a part of one before or after a formula. */
+class Paragraph {
+  /** What assistive technology reads; its text is neither selected nor found. */
+  readonly spoken: HTMLElement = document.createElement("div");
+  /** What is selected, copied and found. */
+  readonly pieces: HTMLElement = document.createElement("div");
+  /** Whether a line's end ends it. */
+  isEnded = false;
+  #text = "";
+  /** The sides of the box in which it is seen, CSS pixels. */
+  #left = Number.POSITIVE_INFINITY;
+  #top = Number.POSITIVE_INFINITY;
+  #right = Number.NEGATIVE_INFINITY;
+  #bottom = Number.NEGATIVE_INFINITY;
+
+  constructor() {
+    this.spoken.className = "spoken";
+    this.spoken.dir = "auto";
+    this.pieces.className = "pieces";
+    this.pieces.ariaHidden = "true";
+  }
+
+  /**
+   * Adds a run.
+   *
+   * @param next the run after it
+   */
+  add(run: TextRun, pieces: readonly Node[], place: Place, next: TextRun | undefined): void {
+    this.isEnded = run.end && !(run.wraps && next);
+    const end = run.end ? endOf(run, next) : null;
+    this.pieces.append(...pieces, ...(end ? [end] : []));
+    this.#text += run.text.replaceAll("\u00ad", "") + (end?.textContent ?? "");
+    for (const corner of [place(0, 0), place(1, 0), place(0, 1), place(1, 1)]) {
+      if (!corner) continue;
+      this.#left = Math.min(this.#left, corner.x);
+      this.#top = Math.min(this.#top, corner.y);
+      this.#right = Math.max(this.#right, corner.x);
+      this.#bottom = Math.max(this.#bottom, corner.y);
+    }
+  }
+
+  /** Lays what is read over what was added. */
+  lay(): void {
+    this.spoken.dataset.text = this.#text;
+    this.spoken.hidden = this.#right < this.#left;
+    Object.assign(this.spoken.style, {
+      left: `${this.#left}px`,
+      top: `${this.#top}px`,
+      width: `${this.#right - this.#left}px`,
+      height: `${this.#bottom - this.#top}px`,
+    });
+  }
 }
 
 /** Lets a heading that goes on on the next page own its rest: screen readers find one heading. */
@@ -66,11 +140,10 @@ function headingElement(level: number | null): HTMLElement {
   return element;
 }
 
-function layRun(run: TextRun, next: TextRun | undefined, project: Project): Node[] {
-  const place = placeIn(run, project);
-  const formula = run.math === undefined ? null : formulaOf(run.math);
+/** Returns the pieces of a run; a formula is laid over it. */
+function layRun(run: TextRun, place: Place, formula: MathMLElement | null): HTMLElement[] {
   const pieces = run.vertical || formula ? [wholeOf(run)] : piecesOf(run, place);
-  const nodes: Node[] = pieces.map((piece) => {
+  const spans = pieces.map((piece) => {
     const span = document.createElement("span");
     // The end of the line alone has put a hyphen there.
     span.textContent = piece.text.replaceAll("\u00ad", "");
@@ -92,23 +165,18 @@ function layRun(run: TextRun, next: TextRun | undefined, project: Project): Node
     }
     return span;
   });
-  // A formula is read in place of its text, which is what is selected and copied.
-  const [span] = nodes;
-  if (formula && span instanceof HTMLElement) {
-    span.ariaHidden = "true";
+  if (formula) {
     formula.setAttribute("class", "formula");
-    formula.style.cssText = span.style.cssText;
-    nodes.push(formula);
+    formula.style.cssText = spans[0]?.style.cssText ?? "";
   }
-  if (run.end) nodes.push(...endOf(run, next));
-  return nodes;
+  return spans;
 }
 
 /** Returns what stands between a line and the next one: a line's end, or where a paragraph goes on what joins its words. */
-function endOf({ text, wraps }: TextRun, next: TextRun | undefined): Node[] {
-  if (!wraps || !next) return [document.createElement("br")];
+function endOf({ text, wraps }: TextRun, next: TextRun | undefined): Node | null {
+  if (!wraps || !next) return document.createElement("br");
   const isJoined = /[\s\u00ad]$/.test(text) || isRunOn(text.slice(-1), next.text.charAt(0));
-  return isJoined ? [] : [document.createTextNode(" ")];
+  return isJoined ? null : document.createTextNode(" ");
 }
 
 function wholeOf({ text }: TextRun): Piece {
@@ -119,7 +187,7 @@ function wholeOf({ text }: TextRun): Piece {
  * Splits a run into the fewest pieces that lie over its ink, letter for letter;
  * each ends with a word if possible.
  */
-function piecesOf(run: TextRun, place: ReturnType<typeof placeIn>): Piece[] {
+function piecesOf(run: TextRun, place: Place): Piece[] {
   const [left, right] = [place(0, 0), place(1, 0)];
   const length = left && right ? Math.hypot(right.x - left.x, right.y - left.y) : 0;
   const split = (from: number, to: number): Piece[] => {

@@ -68,6 +68,10 @@ function sourceOf(pages: readonly (readonly TextRun[])[]): { source: PageSource;
   return { source: { pageCount: pages.length, text } as unknown as PageSource, asked };
 }
 
+/** Returns runs of lines, of which the last one's paragraph goes on on the next page. */
+const wrapped = (...texts: string[]): TextRun[] =>
+  lines(...texts).map((run, k) => (k === texts.length - 1 ? { ...run, wraps: true } : run));
+
 /** Searches the pages of a source. */
 const search = (
   source: PageSource,
@@ -101,6 +105,41 @@ describe("a search", () => {
     const [broken] = await search(source, "little");
     expect(broken).toMatchObject({ text: "little", after: " money" });
     expect(broken.before).toMatch(/^… .*having $/);
+  });
+
+  it("finds what crosses a page where a paragraph goes on, once, on the page where it begins", async () => {
+    const { source } = sourceOf([
+      wrapped("To Sherlock Holmes", "she is always the"),
+      wrapped("woman. I have seldom, in Bo\u00ad"),
+      wrapped("hemia, heard", "see \u767d"),
+      lines("\u9cb8 there."),
+      lines("The end"),
+    ]);
+    const places = async (query: string): Promise<unknown[]> =>
+      (await search(source, query)).map((hit) => [hit.page, hit.index, hit.before, hit.text]);
+    const before = "To Sherlock Holmes she is ";
+    expect(await places("always the woman")).toEqual([[1, 0, before, "always the woman"]]);
+    expect(await places("Bohemia")).toEqual([[2, 0, "woman. I have seldom, in ", "Bohemia"]]);
+    expect(await places("\u767d\u9cb8")).toHaveLength(1);
+    // What is on the next page alone is that page's, and a paragraph that ends is not joined.
+    expect(await places("heard")).toHaveLength(1);
+    expect(await places("there the end")).toEqual([]);
+    const [hit] = await search(source, "always");
+    expect(hit?.after).toBe(" the woman. I have seldom, in Bo");
+  });
+
+  it("joins no page with one that does not lie next to it", async () => {
+    const { source } = sourceOf([wrapped("one"), lines("two"), lines("three")]);
+    const list = new PageList(source);
+    const pages = list.textPages(never);
+    async function* changing(): AsyncGenerator<TextPage> {
+      for await (const page of pages) {
+        yield page;
+        if (page.index() === 0) list.splice(1, 1, null);
+      }
+    }
+    expect(await searchBook(changing(), new PageTexts(), "one three", never)).toHaveLength(1);
+    expect(await search(source, "one three")).toEqual([]);
   });
 
   it("ends when aborted, and at its bounds", async () => {

@@ -6,7 +6,7 @@ import type { PageTexts } from "./page_texts.ts";
 
 /** A hit of a search. */
 export interface SearchHit {
-  /** The page, from 1, as pages are numbered now: it follows its text while they are counted. */
+  /** The page on which it begins, from 1, as pages are numbered now: it follows its text while they are counted. */
   readonly page: number;
   /**
    * The text before it on the page, some fifty characters in one line; begins
@@ -15,11 +15,14 @@ export interface SearchHit {
   readonly before: string;
   /** The text that was found, as the page writes it. */
   readonly text: string;
-  /** The text after it, likewise; ends with " …" if there is more. */
+  /**
+   * The text after it, likewise, on the next page too if a paragraph goes on there; ends with " …" if there
+   * is more.
+   */
   readonly after: string;
   /** The query. */
   readonly query: string;
-  /** Its index among the page's hits, from 0. */
+  /** Its index among the hits that begin on the page, from 0. */
   readonly index: number;
 }
 
@@ -34,6 +37,9 @@ export interface Stretch {
 const longestQuery = 200;
 const mostHits = 2000;
 
+/** Maximum of characters of a page's beginning in which a place that begins on the page before may end. */
+const longestHead = 4 * longestQuery;
+
 /** Characters of context around a hit. */
 const about = 48;
 
@@ -43,11 +49,11 @@ const pagesAtOnce = 8;
 /**
  * Returns every place of a book that contains a text, in reading order, at most
  * 2,000. Case, accents, ligatures, width, quotation marks and hyphens do not
- * count; a line's end counts as a space. Rejects with the signal's reason when
- * aborted.
+ * count; a line's end counts as a space, and so does a page's where a paragraph
+ * goes on. Rejects with the signal's reason when aborted.
  *
  * @param pages the book's pages, in reading order
- * @param found called with the places on a page as soon as they are found
+ * @param found called with the places that begin on a page as soon as they are found
  */
 export async function searchBook(
   pages: AsyncIterable<TextPage>,
@@ -59,21 +65,58 @@ export async function searchBook(
   signal.throwIfAborted();
   const hits: SearchHit[] = [];
   if (foldQuery(query.slice(0, longestQuery)) === "") return hits;
+  const searchPage = ({ page, runs }: ReadPage, next: readonly TextRun[]): void => {
+    const joined = withNext(runs, next);
+    const here = findFrom(runs, next, query)
+      .slice(0, mostHits - hits.length)
+      .map((stretches, index) => hitOn(page, contextOf(joined, stretches), query, index));
+    if (here.length === 0) return;
+    hits.push(...here);
+    found(here);
+  };
   let read = 0;
+  /** A page whose last paragraph goes on, and which is searched with the next one. */
+  let waiting: ReadPage | null = null;
   for await (const page of pages) {
     if (++read % pagesAtOnce === 0) await new Promise((resolve) => setTimeout(resolve));
     const runs = await texts.of(page, signal);
     signal.throwIfAborted();
-    const here = findIn(runs, query)
-      .slice(0, mostHits - hits.length)
-      .map((stretches, index) => hitOn(page, contextOf(runs, stretches), query, index));
-    if (here.length === 0) continue;
-    hits.push(...here);
-    found(here);
+    if (waiting) searchPage(waiting, isNext(waiting.page, page) ? runs : []);
+    waiting = { page, runs };
+    if (!goesOn(runs)) {
+      searchPage(waiting, []);
+      waiting = null;
+    }
     if (hits.length === mostHits) break;
   }
+  if (waiting) searchPage(waiting, []);
   // Pages of another source among these come after them.
   return hits.sort((a, b) => a.page - b.page);
+}
+
+/** A page and its text. */
+interface ReadPage {
+  readonly page: TextPage;
+  readonly runs: readonly TextRun[];
+}
+
+/** Returns whether a page lies next after another. */
+function isNext(page: TextPage, next: TextPage): boolean {
+  const index = page.index();
+  return index !== null && next.index() === index + 1;
+}
+
+/** Returns whether a page's last paragraph goes on on the next one. */
+function goesOn(runs: readonly TextRun[]): boolean {
+  return runs.at(-1)?.wraps ?? false;
+}
+
+/** Returns a page's runs, with the beginning of the next one's if a paragraph goes on there. */
+function withNext(runs: readonly TextRun[], next: readonly TextRun[]): readonly TextRun[] {
+  if (!goesOn(runs)) return runs;
+  let [count, letters] = [0, 0];
+  while (count < next.length && letters < longestHead) letters += next[count++].text.length;
+  return [...runs, ...next.slice(0, count)];
 }
 
 /** Returns a hit whose number follows its page. */
@@ -118,6 +161,18 @@ export function findIn(runs: readonly TextRun[], query: string): readonly (reado
     at = folded.text.indexOf(wanted, at + wanted.length);
   }
   return found;
+}
+
+/**
+ * Returns every place that begins on a page, as `findIn` does; one that ends on the next page has stretches
+ * there too, whose runs are counted on from the page's own.
+ */
+export function findFrom(
+  runs: readonly TextRun[],
+  next: readonly TextRun[],
+  query: string,
+): readonly (readonly Stretch[])[] {
+  return findIn(withNext(runs, next), query).filter(([first]) => first.run < runs.length);
 }
 
 /** Returns the UTF-16 units of the character at a place. */

@@ -15,7 +15,10 @@ export const textStyle: string = /* css */ `
 .text span, .text a, .field, .medium, .mark { position: absolute; left: 0; top: 0; transform-origin: 0 0; }
 .text span { z-index: 1; pointer-events: auto; cursor: text; user-select: text; -webkit-user-select: text; }
 .text > div, .print { position: absolute; inset: 0; }
-.text .heading { display: contents; }
+.text .heading, .text .pieces { display: contents; }
+/* Generated text is read by assistive technology, and neither selected nor found. */
+.text .spoken { position: absolute; overflow: clip; white-space: normal; }
+.text .spoken::before { content: attr(data-text); }
 .text.uncopied span { pointer-events: none; user-select: none; -webkit-user-select: none; }
 .text .formula { position: absolute; left: 0; top: 0; transform-origin: 0 0; overflow: hidden; opacity: 0; user-select: none; -webkit-user-select: none; }
 .text a { pointer-events: auto; cursor: pointer; border-radius: 2px; outline: 0 solid rgb(60 110 180); }

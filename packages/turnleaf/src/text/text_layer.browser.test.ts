@@ -106,6 +106,53 @@ test("what crosses a page is copied as one paragraph, its divided word too, and 
   for (const name of ["hyphens", "layout", "lang"]) element.removeAttribute(name);
 });
 
+test("a phrase that crosses a page is found there, and marked on both pages, together or alone", async () => {
+  const loaded = happens(element, "load");
+  const words = Array.from({ length: 160 }, (_, k) => `incomprehensibility${k}`).join(" ");
+  element.setAttribute("hyphens", "auto");
+  element.setAttribute("lang", "en");
+  element.setAttribute("layout", "spread");
+  element.pages = new File([tinyEpub({ chapters: [`<p>${words}</p>`] })], "flow.epub");
+  await loaded;
+  await settled(element);
+  const texts = (): string[] =>
+    [...root().querySelectorAll(".text > div")].map(({ textContent }) => textContent ?? "");
+  const here = (): number[] =>
+    [...root().querySelectorAll(".mark.here")].map((mark) => mark.getBoundingClientRect().left);
+  await element.goTo(2);
+  await settled(element);
+  await eventually(() => texts().filter((text) => text.includes("incomp")).length).toBe(2);
+  const query = texts()
+    .map((text, k) => (k === 0 ? text.slice(-12) : text.slice(0, 12)))
+    .join("");
+  const hits = await element.search(query);
+  expect(hits.map(({ page, text }) => [page, text])).toEqual([[2, query]]);
+  await element.showHit(hits[0] ?? null);
+  await settled(element);
+  await eventually(() => here().filter((left) => left < 320).length).toBeGreaterThan(0);
+  expect(here().filter((left) => left > 320).length).toBeGreaterThan(0);
+  // Alone, either page is marked up to its edge.
+  element.setAttribute("layout", "single");
+  await settled(element);
+  const alone: string[] = [];
+  for (const page of [2, 3]) {
+    await element.goTo(page);
+    await settled(element);
+    await eventually(() => texts().join()).toMatch(/y\d/);
+    alone.push(texts().join(""));
+  }
+  const crossing = `${alone[0]?.slice(-12)}${alone[1]?.slice(0, 12)}`;
+  const [hit] = await element.search(crossing);
+  expect([hit?.page, hit?.text]).toEqual([2, crossing]);
+  await element.showHit(hit ?? null);
+  await settled(element);
+  await eventually(() => here().length).toBeGreaterThan(0);
+  await element.goTo(3);
+  await settled(element);
+  await eventually(() => here().length).toBeGreaterThan(0);
+  for (const name of ["hyphens", "layout", "lang"]) element.removeAttribute(name);
+});
+
 test("the text is away while a leaf turns, and another lies there afterwards", async () => {
   await awayAndBack(element, () => element.next());
   const groups = [...root().querySelectorAll(".text [role=group]")];
@@ -216,23 +263,7 @@ test("the tree of accessibility has the pages in order, each with its text, and 
   const canvas = root().querySelector("canvas") as HTMLCanvasElement;
   expect(canvas.ariaHidden).toBe("true");
   expect((root().querySelector(".text") as HTMLElement).lang).toBe("en-GB");
-  const { nodes } = (await toolSession().send("Accessibility.getFullAXTree", {
-    frameId: await frameId(),
-  })) as AXTree;
-  const byId = new Map(nodes.map((node) => [node.nodeId, node]));
-  const said: string[] = [];
-  const read = (id: string): void => {
-    const node = byId.get(id);
-    const role = node?.role?.value;
-    const text = node?.name?.value ?? "";
-    // Words of a line may be laid out one by one.
-    const isOn = role === "StaticText" && /^StaticText: .* $/.test(said.at(-1) ?? "");
-    if (isOn) said[said.length - 1] += text;
-    else if (!node?.ignored && /^(group|StaticText|link|image)$/.test(role ?? ""))
-      said.push(`${role}: ${text}`);
-    if (role !== "StaticText" && role !== "link") node?.childIds?.forEach(read);
-  };
-  read(nodes[0].nodeId);
+  const said = await accessibleTexts();
   const from = said.indexOf("group: Page ii");
   expect(said.slice(from, from + 11)).toEqual([
     "group: Page ii",
@@ -249,6 +280,65 @@ test("the tree of accessibility has the pages in order, each with its text, and 
     "StaticText: Pages ii and iii of 8",
   ]);
 });
+
+test("the tree of accessibility has each paragraph of flowing text whole, over its words, and none twice", async () => {
+  const loaded = happens(element, "load");
+  const paragraph =
+    "Considerations of extraordinary <i>responsibilities</i>, notwithstanding <i>P</i>, administrators characteristically misunderstand constitutional <b>recommendations</b>.";
+  const chapter = `<h6>Of <i>things</i>, <br/>and others</h6><p>${paragraph}</p><p>One <i>t</i>wo</p><p>So <math xmlns="http://www.w3.org/1998/Math/MathML"><mi>x</mi></math> is</p>`;
+  element.setAttribute("hyphens", "auto");
+  element.setAttribute("lang", "en");
+  element.pages = new File([tinyEpub({ chapters: [chapter] })], "flow.epub");
+  await loaded;
+  await settled(element);
+  await element.goTo(1);
+  await settled(element);
+  await eventually(() => spans().length).toBeGreaterThan(10);
+  const read = paragraph.replace(/<.*?>/g, "");
+  const said = (await accessibleTexts()).filter((text) =>
+    /^(StaticText|heading|MathMLMath)/.test(text),
+  );
+  const from = said.indexOf("heading: Of things, and others");
+  expect(said.slice(from, from + 8)).toEqual([
+    "heading: Of things, and others",
+    "StaticText: Of things,",
+    "StaticText: and others",
+    `StaticText: ${read}`,
+    "StaticText: One two",
+    "StaticText: So",
+    "MathMLMath: ",
+    "StaticText: is",
+  ]);
+  const spoken = [...root().querySelectorAll<HTMLElement>(".spoken")];
+  const whole = spoken.find(({ dataset }) => dataset.text === read) as HTMLElement;
+  const box = whole.getBoundingClientRect();
+  const pieces = [...(whole.nextElementSibling?.querySelectorAll("span") ?? [])].map((piece) =>
+    piece.getBoundingClientRect(),
+  );
+  expect(pieces.length).toBeGreaterThan(5);
+  expect(Math.abs(box.top - Math.min(...pieces.map(({ top }) => top)))).toBeLessThan(2);
+  expect(Math.abs(box.left - Math.min(...pieces.map(({ left }) => left)))).toBeLessThan(2);
+  expect(Math.abs(box.bottom - Math.max(...pieces.map(({ bottom }) => bottom)))).toBeLessThan(2);
+  for (const name of ["hyphens", "lang"]) element.removeAttribute(name);
+});
+
+/** Returns the roles and names of what a screen reader meets in this document, in order. */
+async function accessibleTexts(): Promise<string[]> {
+  const { nodes } = (await toolSession().send("Accessibility.getFullAXTree", {
+    frameId: await frameId(),
+  })) as AXTree;
+  const byId = new Map(nodes.map((node) => [node.nodeId, node]));
+  const said: string[] = [];
+  const read = (id: string): void => {
+    const node = byId.get(id);
+    const role = node?.role?.value;
+    const isTold = /^(group|heading|StaticText|link|image|MathMLMath)$/.test(role ?? "");
+    if (!node?.ignored && isTold) said.push(`${role}: ${node?.name?.value ?? ""}`);
+    if (!/^(StaticText|link|MathMLMath)$/.test(role ?? "")) node?.childIds?.forEach(read);
+  };
+  read(nodes[0].nodeId);
+  return said;
+}
 
 interface AXTree {
   readonly nodes: readonly {

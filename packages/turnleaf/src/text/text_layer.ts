@@ -95,6 +95,8 @@ export class TextLayer {
   #reading = new AbortController();
   #contents = new Map<number, Content>();
   #groups = new Map<number, Group>();
+  /** The text of pages beside the open ones, where places of a search may begin or end; null until it is read. */
+  readonly #beside = new Map<number, readonly TextRun[] | null>();
   readonly #values: FieldValues = new Map();
   #shown: ShownHit | null = null;
   /** What is played on the open pages, or about to be. */
@@ -127,7 +129,7 @@ export class TextLayer {
   /** Marks hits on the visible pages; null removes the marks. */
   mark(shown: ShownHit | null): void {
     this.#shown = shown;
-    if (!this.element.hidden) this.#place();
+    if (!this.element.hidden) this.#mark();
   }
 
   /** Returns the column of text at a place of an open page, as `columnAt` does; null if its text is not known. */
@@ -176,6 +178,7 @@ export class TextLayer {
     if (this.#isStale) this.#contents.clear();
     this.#isStale = false;
     this.#played.clear();
+    this.#beside.clear();
     const { signal } = this.#reading;
     this.#groups = new Map(
       pages.map((page) => {
@@ -240,7 +243,6 @@ export class TextLayer {
   /** Lays the known contents of the open pages over them as they are seen now. */
   #place(): void {
     let isText = false;
-    this.#marks.replaceChildren();
     for (const [page, group] of this.#groups) {
       const content = this.#contents.get(page);
       if (content === undefined) continue;
@@ -250,6 +252,22 @@ export class TextLayer {
       if (previous) joinHeadings(previous.text, group.text);
     }
     this.#options.onText(isText);
+    this.#mark();
+  }
+
+  /** Marks the places of a search on the open pages. */
+  #mark(): void {
+    this.#marks.replaceChildren();
+    if (!this.#shown) return;
+    for (const page of this.#groups.keys()) {
+      const content = this.#contents.get(page);
+      if (!content) continue;
+      const { runs } = content;
+      const before = this.#readBeside(page - 1);
+      const after = runs.at(-1)?.wraps ? this.#readBeside(page + 1) : [];
+      const text = { runs, before, after };
+      this.#marks.append(...layMarks(text, this.#shown, page, this.#projectOn(content)));
+    }
   }
 
   /** Returns the runs of an open page that are known. */
@@ -257,16 +275,43 @@ export class TextLayer {
     return this.#contents.get(page)?.runs ?? [];
   }
 
-  #fill(group: Group, content: Content): void {
-    const { page, size, runs } = content;
+  /** Returns the runs of a page beside an open one; none until they are read. */
+  #readBeside(page: number): readonly TextRun[] {
+    const { source } = this.#options;
+    if (this.#groups.has(page)) return this.#runsOf(page);
+    if (page < 1 || page > source.pageCount) return [];
+    const known = this.#beside.get(page);
+    if (known !== undefined) return known ?? [];
+    this.#beside.set(page, null);
+    const { signal } = this.#reading;
+    source.text?.(page - 1, signal).then(
+      (runs) => {
+        if (signal.aborted) return;
+        this.#beside.set(page, runs);
+        // The text of a page before an open one matters only if it goes on there.
+        const isJoined = this.#groups.has(page - 1) || runs.at(-1)?.wraps;
+        if (isJoined && !this.element.hidden) this.#mark();
+      },
+      // A page that cannot be read is reported where it would be seen.
+      () => {},
+    );
+    return [];
+  }
+
+  /** Returns where places of an open page are seen, in the unit of its size. */
+  #projectOn({ page, size }: Content): Project {
     const place = this.#view.placeOf(page, size);
-    const project: Project = (x, y) =>
+    return (x, y) =>
       this.#view.project(
         page,
         place.x + (x / size.width) * place.width,
         place.y + (y / size.height) * place.height,
       );
-    this.#marks.append(...layMarks(runs, this.#shown, page, project));
+  }
+
+  #fill(group: Group, content: Content): void {
+    const { page, runs } = content;
+    const project = this.#projectOn(content);
     if (content.isElement) group.element.removeAttribute("role");
     else {
       const [before, after] = [this.#runsOf(page - 1).at(-1), this.#runsOf(page + 1)[0]];

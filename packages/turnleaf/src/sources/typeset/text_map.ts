@@ -111,7 +111,10 @@ export class TextMap {
     return { offset: first.offset, length: last.offset + lengthOf(last.node) - first.offset };
   }
 
-  /** Returns a page's text in lines; with the places of letters if `exact`. */
+  /**
+   * Returns a page's text in lines; with the places of letters, headings and which lines wrap if `exact`,
+   * otherwise only whether the last one does.
+   */
   runs(page: number, exact: boolean): TextRun[] {
     const runs: Line[] = [];
     let letters = 0;
@@ -123,7 +126,7 @@ export class TextMap {
         runs.push(line);
       }
     }
-    const after = exact ? this.#firstAfter(page, runs.at(-1)) : undefined;
+    const after = this.#firstAfter(page, runs.at(-1));
     return runs.map((line, k) => this.#runOf(line, runs[k + 1], runs[k + 1] ?? after, exact));
   }
 
@@ -328,7 +331,7 @@ export class TextMap {
       ...{ text, ...box, angle: 0, end: !goesOn },
       ...(isVertical ? { vertical: true } : {}),
       ...(exact ? headingOf(line.node, after?.node) : {}),
-      ...(exact && !goesOn && after && this.#wraps(line, after) ? { wraps: true } : {}),
+      ...((exact || !next) && !goesOn && after && this.#wraps(line, after) ? { wraps: true } : {}),
     };
     if (math !== undefined) return { ...run, math };
     if (!exact || isVertical || box.width === 0) return run;
