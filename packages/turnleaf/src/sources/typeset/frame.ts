@@ -15,7 +15,10 @@ export interface LayoutFrame {
   /** The element around it: the root of a document of its own, of which lengths in rem are. */
   readonly drawing: SVGElement;
   readonly root: HTMLElement;
-  /** Applies style sheets, whatever the page's policy says of inline styles. */
+  /**
+   * Applies style sheets in place of those before, whatever the page's policy says of inline styles. Those in
+   * the same place as before stay: they, which may have megabytes of fonts, are not read again.
+   */
   adopt(sheets: readonly string[]): void;
   /** Returns the fonts that its style sheets name. */
   fonts(): FontFace[];
@@ -52,9 +55,9 @@ export async function openFrame(
   }
   const { drawing, root } = drawingIn(frame, width, height);
   frame.documentElement.replaceWith(drawing);
+  const read = sheetReader(frame.defaultView as Window & typeof globalThis);
   const adopt = (sheets: readonly string[]): void => {
-    const view = frame.defaultView as Window & typeof globalThis;
-    frame.adoptedStyleSheets = sheetsOf([unmovedStyle, ...sheets], view);
+    frame.adoptedStyleSheets = read([unmovedStyle, ...sheets]);
   };
   return {
     ...{ document: frame, drawing, root, adopt },
@@ -113,8 +116,9 @@ function openShadow(width: number, height: number): LayoutFrame {
   shadow.append(drawing);
   document.body.append(host);
   const before = new Set(document.fonts);
-  let rules: CSSStyleSheet[] = [];
-  const withRules = (next: CSSStyleSheet[]): void => {
+  let rules: readonly CSSStyleSheet[] = [];
+  const [read, readFonts] = [sheetReader(window), sheetReader(window)];
+  const withRules = (next: readonly CSSStyleSheet[]): void => {
     const others = document.adoptedStyleSheets.filter((sheet) => !rules.includes(sheet));
     rules = next;
     document.adoptedStyleSheets = [...others, ...rules];
@@ -122,9 +126,9 @@ function openShadow(width: number, height: number): LayoutFrame {
   return {
     ...{ document, drawing, root },
     adopt: (sheets) => {
-      shadow.adoptedStyleSheets = sheetsOf([unmovedStyle, ...sheets], window);
+      shadow.adoptedStyleSheets = read([unmovedStyle, ...sheets]);
       // Fonts are the document's alone.
-      withRules(sheetsOf([sheets.flatMap((css) => css.match(fontRule) ?? []).join("\n")], window));
+      withRules(readFonts([sheets.flatMap((css) => css.match(fontRule) ?? []).join("\n")]));
     },
     fonts: () => [...document.fonts].filter((face) => !before.has(face)),
     close: () => {
@@ -145,12 +149,21 @@ function hide(element: HTMLElement, width: number, height: number): void {
   element.style.setProperty("height", `${height}px`, "important");
 }
 
-function sheetsOf(sheets: readonly string[], view: Window & typeof globalThis): CSSStyleSheet[] {
-  return sheets.map((css) => {
-    const sheet = new view.CSSStyleSheet();
-    sheet.replaceSync(css);
-    return sheet;
-  });
+/** Returns a function that reads style sheets, but for those that were in the same place the last time. */
+function sheetReader(
+  view: Window & typeof globalThis,
+): (texts: readonly string[]) => CSSStyleSheet[] {
+  let known: readonly { readonly css: string; readonly sheet: CSSStyleSheet }[] = [];
+  return (texts) => {
+    known = texts.map((css, k) => {
+      const before = known[k];
+      if (before?.css === css) return before;
+      const sheet = new view.CSSStyleSheet();
+      sheet.replaceSync(css);
+      return { css, sheet };
+    });
+    return known.map(({ sheet }) => sheet);
+  };
 }
 
 /** A rule of a font, as `cleanCss` writes it. */

@@ -171,7 +171,7 @@ export async function laySection(
     resolveVariables(body, mentions);
     const [line, across] = isVertical ? [area.height, area.width] : [area.width, area.height];
     const type = { line, page: isSliced ? Number.POSITIVE_INFINITY : across };
-    fitType(body as HTMLElement, type, content.styles);
+    fitType(body as HTMLElement, type, mentions.sheets);
     initials = initialLetters(body, type, mentions);
     hideUnseen(body, flow, mentions);
     if (!isSliced) honourBreaks(body, writingMode, mentions);
@@ -202,7 +202,7 @@ export async function laySection(
       ...(isSliced && { height: (size.height * leaf.width) / page.width }),
     },
   };
-  if (paintingOf(html, content.styles, size, flow) > mostNanoseconds) throw new OverpaintedError();
+  if (paintingOf(html, mentions.sheets, size, flow) > mostNanoseconds) throw new OverpaintedError();
   const text = new TextMap(body, flow, pageCount, { mentions, initials });
   const styles = withUsedFonts([spokenStyle, ...own], frame);
   const margins: MarginStyle | null =

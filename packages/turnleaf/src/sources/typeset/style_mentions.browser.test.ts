@@ -44,6 +44,37 @@ test.each([
   expect(mentions.has(["scale", "transform"])).toBe(false);
 });
 
+test("style sheets are searched without the data of their pictures and fonts", async () => {
+  const css =
+    'p { background: url("data:image/png;base64,shadow"); color: red } @font-face { font-family: a; src: url("data:font/woff2;base64,shadow") }';
+  const sheets = [cssOf(await cleanCss(css, async (address) => address))];
+  const mentions = new StyleMentions(sheets, laid("<p>a</p>"));
+  expect(sheets.join().match(/shadow/g)).toHaveLength(2);
+  expect(mentions.sheets.join()).not.toContain("shadow");
+  expect(mentions.sheets.join()).toContain("color: red");
+});
+
+test("a frame reads a style sheet again only where another one was, and keeps its fonts", async () => {
+  const own = await openFrame(600, 800);
+  const adopted = (): readonly CSSStyleSheet[] => [...own.document.adoptedStyleSheets];
+  const font = '@font-face { font-family: a; src: url("data:font/woff2;base64,AAAA"); }';
+  try {
+    own.adopt([font, "p { color: red; }"]);
+    const [before, faces] = [adopted(), own.fonts()];
+    own.adopt([font, "p { color: blue; }", "i { color: red; }"]);
+    const after = adopted();
+    expect(faces).toHaveLength(1);
+    expect(own.fonts()[0]).toBe(faces[0]);
+    expect(after.map((sheet, k) => sheet === before[k])).toEqual([true, true, false, false]);
+    expect(after.at(-2)?.cssRules[0]?.cssText).toContain("blue");
+    own.adopt([]);
+    expect(own.fonts()).toEqual([]);
+    expect(adopted()).toHaveLength(1);
+  } finally {
+    own.close();
+  }
+});
+
 test("a style set later is found", () => {
   const html = laid("<p>a</p>");
   const mentions = new StyleMentions([], html);

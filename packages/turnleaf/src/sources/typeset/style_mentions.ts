@@ -11,8 +11,14 @@ const dataAddress = /url\("data:[^"]*"\)/g;
 /** Characters of a property's name, at most. */
 const longestName = 40;
 
-/** The properties that style sheets name, by the list of these: that of a chapter is the same for all its pieces. */
-const named = new WeakMap<readonly string[], ReadonlySet<string>>();
+/** Style sheets without the data of their pictures and fonts, and the properties that they name. */
+interface SheetContents {
+  readonly sheets: readonly string[];
+  readonly names: ReadonlySet<string>;
+}
+
+/** These by the list of style sheets: that of a chapter is the same for all its pieces. */
+const known = new WeakMap<readonly string[], SheetContents>();
 
 /** Returns the elements in a section's body but for the ends of lines, which are no boxes. */
 export function boxesIn(body: Element): NodeListOf<HTMLElement> {
@@ -21,6 +27,8 @@ export function boxesIn(body: Element): NodeListOf<HTMLElement> {
 
 /** The style of one section. */
 export class StyleMentions {
+  /** The section's style sheets without their pictures and fonts, which may be megabytes. */
+  readonly sheets: readonly string[];
   readonly #names: ReadonlySet<string>;
   readonly #html: Element;
 
@@ -29,8 +37,10 @@ export class StyleMentions {
    * @param html its element, with its inline styles
    */
   constructor(sheets: readonly string[], html: Element) {
-    this.#names = named.get(sheets) ?? new Set(sheets.flatMap(namesIn));
-    named.set(sheets, this.#names);
+    const contents = known.get(sheets) ?? contentsOf(sheets);
+    known.set(sheets, contents);
+    this.sheets = contents.sheets;
+    this.#names = contents.names;
     this.#html = html;
   }
 
@@ -41,7 +51,9 @@ export class StyleMentions {
     if (this.#html.querySelector(properties.map((name) => `[${name}]`).join(","))) return true;
     const own = [this.#html, ...this.#html.querySelectorAll("[style]")];
     return own.some((element) =>
-      namesIn(element.getAttribute("style") ?? "").some((name) => properties.includes(name)),
+      namesIn(withoutData(element.getAttribute("style") ?? "")).some((name) =>
+        properties.includes(name),
+      ),
     );
   }
 
@@ -56,17 +68,25 @@ export class StyleMentions {
   }
 }
 
+/** Returns a style sheet, or declarations, without the data of pictures and fonts. */
+function withoutData(css: string): string {
+  return css.replace(dataAddress, "");
+}
+
+/** Returns what there is in style sheets. */
+function contentsOf(sheets: readonly string[]): SheetContents {
+  const bare = sheets.map(withoutData);
+  return { sheets: bare, names: new Set(bare.flatMap(namesIn)) };
+}
+
 /** Returns the names in a style sheet that stand before a colon: those of all its properties, and others. */
 function namesIn(css: string): readonly string[] {
-  return css
-    .replace(dataAddress, "")
-    .split(":")
-    .map(
-      (before) =>
-        before
-          .trimEnd()
-          .slice(-longestName)
-          .split(/[^\w-]/)
-          .pop() ?? "",
-    );
+  return css.split(":").map(
+    (before) =>
+      before
+        .trimEnd()
+        .slice(-longestName)
+        .split(/[^\w-]/)
+        .pop() ?? "",
+  );
 }
