@@ -13,7 +13,10 @@ test("no SVG and no JSON is served, which the viewer opens", () => {
 });
 
 test("images are served that browsers show, and those that the viewer decodes", () => {
-  expect(found("BM\0\0\0\0\0\0\0\0")).toMatchObject({ kind: "image", type: "image/bmp" });
+  expect(found(`BM${"\0".repeat(12)}\x28\0\0\0`)).toMatchObject({
+    kind: "image",
+    type: "image/bmp",
+  });
   expect(found("II*\0\x08")).toMatchObject({ kind: "image", type: "image/tiff" });
 });
 

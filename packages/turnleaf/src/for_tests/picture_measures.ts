@@ -66,7 +66,9 @@ export async function textBoxes(
       const label = element.label(page);
       const groups = element.shadowRoot?.querySelectorAll(".text > [role=group]") ?? [];
       const group = [...groups].find(({ ariaLabel }) => ariaLabel?.split(" ").includes(label));
-      return [...(group?.querySelectorAll<HTMLElement>(".print > span:not([hidden])") ?? [])];
+      return [
+        ...(group?.querySelectorAll<HTMLElement>(".print .pieces > span:not([hidden])") ?? []),
+      ];
     };
     // A page of few lines has no more later either.
     for (let k = 0; k < 20 && spans().length < leastLines; k++) {
