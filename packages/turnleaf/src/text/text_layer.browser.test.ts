@@ -39,17 +39,22 @@ test("a drag with the mouse selects, and what is copied has words and lines", as
   await eventually(() => copied).toBe("Call me\nIshmael. Some\nyears ago");
 });
 
-test("what is copied of a book of flowing text has its paragraphs, without the ends of their lines and their hyphens", async () => {
+/** Opens a book of one chapter whose words are divided. */
+async function openDivided(chapter: string): Promise<void> {
   const loaded = happens(element, "load");
-  const paragraph =
-    "Considerations of extraordinary <i>responsibilities</i> notwithstanding, administrators characteristically misunderstand constitutional <b>recommendations</b>.";
-  const japanese = "吾輩は猫である名前はまだ無い".repeat(4);
-  const chapter = `<h6>Of <i>things</i><br/>and others</h6><h6>Of none</h6><p>${paragraph}</p><p lang="ja">${japanese}</p><p>One<br/>two</p><pre>a\nb</pre>`;
   element.setAttribute("hyphens", "auto");
   element.setAttribute("lang", "en");
   element.pages = new File([tinyEpub({ chapters: [chapter] })], "flow.epub");
   await loaded;
   await settled(element);
+}
+
+test("what is copied of a book of flowing text has its paragraphs, without the ends of their lines and their hyphens", async () => {
+  const paragraph =
+    "Considerations of extraordinary <i>responsibilities</i> notwithstanding, administrators characteristically misunderstand constitutional <b>recommendations</b>.";
+  const japanese = "吾輩は猫である名前はまだ無い".repeat(4);
+  const chapter = `<h6>Of <i>things</i><br/>and others</h6><h6>Of none</h6><p>${paragraph}</p><p lang="ja">${japanese}</p><p>One<br/>two</p><pre>a\nb</pre>`;
+  await openDivided(chapter);
   await element.goTo(1);
   await settled(element);
   await eventually(() => spans().length).toBeGreaterThan(10);
@@ -68,16 +73,11 @@ test("what is copied of a book of flowing text has its paragraphs, without the e
 });
 
 test("what crosses a page is copied as one paragraph, its divided word too, and is one heading", async () => {
-  const loaded = happens(element, "load");
   const words = Array.from({ length: 160 }, (_, k) => `incomprehensibility${k}`).join(" ");
   const style = "<style>h1 { break-inside: auto; font-size: 1em; font-weight: normal }</style>";
   const chapter = `${style}<h1>${words}</h1><h1>Another</h1>`;
-  element.setAttribute("hyphens", "auto");
-  element.setAttribute("lang", "en");
   element.setAttribute("layout", "spread");
-  element.pages = new File([tinyEpub({ chapters: [chapter] })], "flow.epub");
-  await loaded;
-  await settled(element);
+  await openDivided(chapter);
   const layer = (): Element => root().querySelector(".text") as Element;
   const texts = (): (string | null)[] => [...layer().children].map((page) => page.textContent);
   await element.goTo(2);
@@ -282,15 +282,10 @@ test("the tree of accessibility has the pages in order, each with its text, and 
 });
 
 test("the tree of accessibility has each paragraph of flowing text whole, over its words, and none twice", async () => {
-  const loaded = happens(element, "load");
   const paragraph =
     "Considerations of extraordinary <i>responsibilities</i>, notwithstanding <i>P</i>, administrators characteristically misunderstand constitutional <b>recommendations</b>.";
   const chapter = `<h6>Of <i>things</i>, <br/>and others</h6><p>${paragraph}</p><p>One <i>t</i>wo</p><p>So <math xmlns="http://www.w3.org/1998/Math/MathML"><mi>x</mi></math> is</p>`;
-  element.setAttribute("hyphens", "auto");
-  element.setAttribute("lang", "en");
-  element.pages = new File([tinyEpub({ chapters: [chapter] })], "flow.epub");
-  await loaded;
-  await settled(element);
+  await openDivided(chapter);
   await element.goTo(1);
   await settled(element);
   await eventually(() => spans().length).toBeGreaterThan(10);
