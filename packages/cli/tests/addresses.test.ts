@@ -5,7 +5,7 @@ import { readdirSync } from "node:fs";
 import { createServer, type RequestListener, type Server } from "node:http";
 import type { AddressInfo } from "node:net";
 import { gzipSync } from "node:zlib";
-import { afterAll, afterEach, beforeAll, describe, expect, it, vi } from "vitest";
+import { afterAll, afterEach, beforeAll, describe, expect, it, onTestFinished, vi } from "vitest";
 import { fetchAddress } from "../src/read/fetch_address.ts";
 import { type CollectionWeb, iiifBooks } from "../src/read/iiif_books.ts";
 import { isInnerPlace } from "../src/read/network.ts";
@@ -20,8 +20,6 @@ let base: string;
 /** What the server does, by the path of the request. */
 const responses = new Map<string, RequestListener>();
 const running: Started[] = [];
-/** Where the command puts what it fetches. */
-const temporary = folderOf({});
 
 const send =
   (body: string | Buffer, headers: Record<string, string> = {}): RequestListener =>
@@ -55,7 +53,6 @@ function manifest(label: string): Record<string, unknown> {
 }
 
 beforeAll(async () => {
-  vi.stubEnv("TMPDIR", temporary.path);
   server = createServer((request, response) => {
     const respond = responses.get(request.url ?? "");
     if (respond) respond(request, response);
@@ -66,10 +63,8 @@ beforeAll(async () => {
   base = `http://127.0.0.1:${(server.address() as AddressInfo).port}/`;
 });
 afterAll(() => {
-  vi.unstubAllEnvs();
   server.closeAllConnections();
   server.close();
-  temporary.remove();
 });
 afterEach(async () => {
   for (const served of running.splice(0)) await served.stop();
@@ -89,6 +84,13 @@ describe("a book at an address", () => {
     responses.set("/go", (_, response) =>
       response.writeHead(302, { Location: "/b/far%20book.pdf" }).end(),
     );
+    const temporary = folderOf({});
+    onTestFinished(() => {
+      vi.unstubAllEnvs();
+      temporary.remove();
+    });
+    // For this test alone: a browser that others launch has its profile there and outlives the folder.
+    vi.stubEnv("TMPDIR", temporary.path);
     const served = await serve(`${base}go`);
     expect(served.stdout).toContain("Turnleaf is reading A Far Book at ");
     const { books } = JSON.parse((await ask(served.port, "/config.json")).body.toString());
