@@ -1,3 +1,4 @@
+import { joinBytes } from "./join_bytes.ts";
 import { BookError, type BookErrorCode, type BookErrorDetail } from "./page_source.ts";
 
 /**
@@ -102,7 +103,7 @@ export async function readBounded(
     if (error instanceof BookError) throw error;
     throw brokeOff(name);
   }
-  return join(parts, length);
+  return joinBytes(parts, length);
 }
 
 /**
@@ -126,17 +127,7 @@ export async function readStart(
   // connection can be reused.
   const isAll = response.status === 206 && (await reader?.read())?.done;
   if (!isAll) await reader?.cancel().catch(() => {});
-  return join(parts, length).subarray(0, wanted);
-}
-
-function join(parts: readonly Uint8Array[], length: number): Uint8Array<ArrayBuffer> {
-  const bytes = new Uint8Array(length);
-  let offset = 0;
-  for (const part of parts) {
-    bytes.set(part, offset);
-    offset += part.length;
-  }
-  return bytes;
+  return joinBytes(parts, length).subarray(0, wanted);
 }
 
 function tooLarge(name: string, most: number): BookError {

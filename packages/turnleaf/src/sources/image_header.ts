@@ -61,6 +61,12 @@ export async function typedImage(image: Blob): Promise<Blob> {
   return type === null || type === image.type ? image : new Blob([image], { type });
 }
 
+/** The size that an image claims, in pixels. */
+export interface ClaimedSize extends PageSize {
+  /** Whether the browser shows it so; otherwise it may turn it, or show a part. */
+  readonly isShown: boolean;
+}
+
 /**
  * Returns the size of a typed image in pixels, upright by its EXIF data; null
  * if its header is not understood, as that of an AVIF, or does not tell how the
@@ -100,14 +106,16 @@ export async function headerOf(
  * of an AVIF or a HEIC that of its largest part. Null if its
  * header is not understood.
  */
-export async function claimedSize(image: Blob): Promise<PageSize | null> {
+export async function claimedSize(image: Blob): Promise<ClaimedSize | null> {
   if (/^image\/(tiff|jxl|jp2)$/.test(image.type)) {
     const { rareSize } = await loadPart(import("./rare_images/rare_size.ts"));
-    return await rareSize(image);
+    const size = await rareSize(image);
+    return size && { ...size, isShown: false };
   }
   if (!/^image\/(avif|heic)$/.test(image.type)) {
     const header = await headerOf(image);
-    return header && upright(header, header.orientation ?? 1);
+    if (header === null) return null;
+    return { ...upright(header, header.orientation ?? 1), isShown: Boolean(header.orientation) };
   }
   const start = new DataView(await image.slice(0, heifLength).arrayBuffer());
   let largest: PageSize | null = null;
@@ -123,5 +131,5 @@ export async function claimedSize(image: Blob): Promise<PageSize | null> {
       largest = { width, height };
     }
   }
-  return largest && isTurned ? { width: largest.height, height: largest.width } : largest;
+  return largest && { ...upright(largest, isTurned ? 5 : 1), isShown: false };
 }

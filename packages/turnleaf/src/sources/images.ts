@@ -3,7 +3,7 @@ import { cropImage } from "./crop_image.ts";
 import { closedError } from "./failures.ts";
 import { fetchChecked, readBounded } from "./fetch_bytes.ts";
 import { listImages } from "./formats.ts";
-import { claimedSize, kindOfFile, sizeFromHeader, typedImage } from "./image_header.ts";
+import { claimedSize, kindOfFile, typedImage } from "./image_header.ts";
 import { fitPixels, isPageSize, limits, wholePage } from "./limits.ts";
 import { loadPart } from "./load_part.ts";
 import type { ImageBook, ImagePage, StoredImage, StripPage } from "./manifest.ts";
@@ -358,9 +358,8 @@ async function measure(image: Blob): Promise<PageSize> {
     const { sizeOfSvg } = await loadPart(import("./svg.ts"));
     return await sizeOfSvg(image);
   }
-  const size = await sizeFromHeader(image);
-  if (size) return size;
   const claimed = await claimedSize(image);
+  if (claimed?.isShown) return claimed;
   const isTooLarge = claimed && claimed.width * claimed.height > limits.imagePixels;
   return isTooLarge ? claimed : await measureByDecoding(image);
 }

@@ -6,6 +6,7 @@ import {
   ZipReader,
 } from "@zip.js/zip.js/lib/zip-core-native.js";
 import { unknownFailure } from "../failures.ts";
+import { joinBytes } from "../join_bytes.ts";
 import { limits } from "../limits.ts";
 import { loadPart } from "../load_part.ts";
 import { BookError } from "../page_source.ts";
@@ -155,7 +156,7 @@ class ZipArchive implements Archive {
       if (!stopped.signal.aborted)
         throw length > most ? tooLarge : damaged(`${name} in ${this.#name}`, error);
     }
-    return new Uint8Array(await new Blob(parts).arrayBuffer());
+    return joinBytes(parts, length);
   }
 
   close(): void {

@@ -11,7 +11,7 @@ import {
   sniffLength,
   unshownFormat,
 } from "../formats.ts";
-import { claimedSize, sizeFromHeader, typedImage } from "../image_header.ts";
+import { claimedSize, typedImage } from "../image_header.ts";
 import { ImageSource } from "../images.ts";
 import { limits } from "../limits.ts";
 import { loadPart } from "../load_part.ts";
@@ -334,23 +334,20 @@ async function sizeOf(
   budget: Budget,
 ): Promise<PageSize | null> {
   try {
-    let size = await claimedBy(start);
+    let size = await claimedSize(start);
     if (size === null && hasLeft(budget, archive.size(path))) {
       const isRare = unshownFormat(start.type) !== undefined;
       const more = isRare
         ? archive.read(path, limits.imageBytes)
         : archive.readStart(path, farHeaderLength);
-      size = await claimedBy(await typedImage(new Blob([await more])));
+      size = await claimedSize(await typedImage(new Blob([await more])));
     }
-    return size && size.width > 0 && size.height > 0 ? size : null;
+    return size && size.width > 0 && size.height > 0
+      ? { width: size.width, height: size.height }
+      : null;
   } catch {
     return null;
   }
-}
-
-/** Returns the size that an image's first bytes, or all of them, claim; null if they do not say. */
-async function claimedBy(image: Blob): Promise<PageSize | null> {
-  return (await sizeFromHeader(image)) ?? (await claimedSize(image));
 }
 
 /** Returns a scan as it may be a slice of a strip. */

@@ -2,7 +2,7 @@
 
 import { closedError } from "../failures.ts";
 import { fetchChecked, readBounded } from "../fetch_bytes.ts";
-import { claimedSize, sizeFromHeader } from "../image_header.ts";
+import { claimedSize } from "../image_header.ts";
 import { fitPixels, limits, wholePage } from "../limits.ts";
 import {
   type BookDetail,
@@ -326,9 +326,9 @@ class IiifSource implements PageSource {
       width * height <= limits.imagePixels;
     const claimed = await claimedSize(image);
     const { width, height } =
-      claimed && !isBounded(claimed)
+      claimed && (claimed.isShown || !isBounded(claimed))
         ? claimed
-        : ((await sizeFromHeader(image)) ?? (await this.#decodedSize(index, image)));
+        : await this.#decodedSize(index, image);
     if (isBounded({ width, height })) return { width, height };
     throw new BookError(
       `${this.#place(index)} has ${width} x ${height} pixels, more than can be shown; try another copy of the book.`,

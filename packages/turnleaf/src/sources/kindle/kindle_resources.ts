@@ -3,6 +3,7 @@
 import { dataUrl } from "../data_url.ts";
 import { fontType } from "../font_type.ts";
 import { imageType, sniffLength } from "../formats.ts";
+import { joinBytes } from "../join_bytes.ts";
 import { limits } from "../limits.ts";
 import { pictureData } from "../showable_image.ts";
 import { mark } from "./kindle_header.ts";
@@ -61,7 +62,7 @@ async function inflated(bytes: Uint8Array<ArrayBuffer>): Promise<Uint8Array<Arra
   let length = 0;
   for (;;) {
     const { done, value } = await reader.read();
-    if (done) return new Uint8Array(await new Blob(parts).arrayBuffer());
+    if (done) return joinBytes(parts, length);
     length += value.length;
     if (length > limits.imageBytes) {
       await reader.cancel();
