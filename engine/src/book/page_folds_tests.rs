@@ -163,6 +163,43 @@ fn folds_are_held_shut_while_a_page_is_turned() {
     }
 }
 
+/// Of two pages that face each other and are folded so that what is folded over ends at the spine,
+/// one is turned onto the other: the folds of both are shut before they meet, where there is room
+/// for all layers, and nothing is drawn behind its paper.
+#[test]
+fn a_folded_page_is_turned_onto_a_folded_one() {
+    for stock in ["bible", "book", "board"] {
+        let mut book = Book::new(0.14, 0.21, 40, 0.004).unwrap();
+        let paper = Paper {
+            stock: Stock::named(stock).unwrap(),
+            ..Paper::default()
+        };
+        assert!(book.set_paper(&paper));
+        *book.board_mut(0) = Board::new(Side::Left);
+        assert!(book.crease(4, &[along(0.5, -160.0)]));
+        assert!(book.crease(5, &[along(0.5, 160.0)]));
+        book.lay(5);
+        book.step(300);
+        book.update();
+        let id = book.pick_up(Side::Right, 5, 6).unwrap();
+        book.play(id, Side::Left, 0.8);
+        let mut frames = 0;
+        while book.phase(id).is_some() {
+            book.step(2);
+            book.update();
+            frames += 1;
+            assert!(frames < 300, "{stock} never came to rest");
+            for index in 0..book.drawn_leaves() {
+                let behind = book.lag(index).unwrap_or(0.0);
+                assert!(
+                    behind < 1e-3,
+                    "{stock}, leaf {index}, frame {frames}: {behind} m"
+                );
+            }
+        }
+    }
+}
+
 #[test]
 fn a_fold_that_is_pressed_goes_to_the_side_to_which_it_is_pressed() {
     let flat = vec![SheetCrease {

@@ -4,6 +4,7 @@
 //! are then one packet that bends as the part next to the spine does, so none of them can come
 //! through another: each of their points has a place over that part, found once for the flat paper.
 
+use crate::book::book_space_leaf::WIDTH;
 use crate::contact::flaps::{Flaps, PARTS_GAP};
 use crate::contact::tolerance::ROOM_FROM_SPINE;
 use crate::models::sheet::Sheet;
@@ -133,18 +134,23 @@ impl Layers {
             .filter(|(_, part)| is_base(part))
             .copied()
             .collect();
-        // What reaches beyond the spine is pressed together evenly.
+        // What reaches beyond the spine, or nearer to it than there is room for layers, is pressed
+        // together evenly.
         let most = OVERHANG * width;
         let room = PRESSED * width;
-        let beyond = places.iter().fold(0.0, |most: f32, [x, _]| most.max(-x));
-        if beyond > most {
+        let clear = ROOM_FROM_SPINE * width / WIDTH;
+        let nearest = (places.iter().zip(&is_over))
+            .filter(|(_, is_over)| **is_over)
+            .fold(clear, |least, ([x, _], _)| least.min(*x));
+        if nearest < -most {
             return None;
         }
+        let pressed = (room - clear) / (room - nearest);
         let mut over = Vec::new();
         for point in (0..flat.len()).filter(|point| is_over[*point]) {
             let [mut x, y] = places[point];
             if x < room {
-                x = (x + beyond) * room / (room + beyond);
+                x = room - (room - x) * pressed;
             }
             let at = [x, y, 0.0];
             let mut nearest = (f32::MAX, 0);
@@ -176,7 +182,7 @@ impl Layers {
             let triangle = corners.map(|corner| [flat[corner][0], flat[corner][1], 0.0]);
             let [sum, count] = of_point[point];
             let rank = sum / count.max(1.0) - rank_of(part);
-            let apart = (x / ROOM_FROM_SPINE).min(1.0);
+            let apart = (x / clear).min(1.0);
             over.push(Over {
                 point,
                 corners,

@@ -197,7 +197,8 @@ impl Flights {
         is_creased && self.upon(index).is_some_and(|over| !over.leaf().is_down())
     }
 
-    /// The flight that lies upon flight `index`, or nearly.
+    /// The flight that lies upon flight `index`, or nearly, or is turned onto it: the folds of that
+    /// are shut before it comes, as one that ends at the spine is where it passes.
     pub(super) fn upon(&self, index: usize) -> Option<&Flight> {
         let own = &self.order[index];
         let over = match own.phase().side()? {
@@ -205,9 +206,11 @@ impl Flights {
             Side::Left => self.order.get(index + 1)?,
         };
         let apart = over.leaf().fraction_turned() - own.leaf().fraction_turned();
-        (apart.abs() < NEAR).then_some(over)
+        let is_led_here = over.phase() == Phase::Playing(own.phase().side()?);
+        (is_led_here || apart.abs() < NEAR).then_some(over)
     }
 }
 
-/// Part of the half turn within which a leaf comes near to the folds of another.
+/// Part of the half turn within which a leaf comes near to the folds of another: it is past upright
+/// over them, as far as what is folded may stand open.
 const NEAR: f32 = 0.5;
