@@ -19,6 +19,10 @@ const OVERHANG: f32 = 0.05;
 /// Part of the page's width from the spine in which it is pressed together.
 const PRESSED: f32 = 0.45;
 
+/// Layers of a letter. What is folded over ends so many times as far from the spine as there is room
+/// for one leaf, so that all its layers have as much.
+const LAYERS: f32 = 3.0;
+
 /// By so much of the page's width shut folds may be longer or shorter than the paper: creases that
 /// cross each other, and cannot all be shut, miss by more.
 const TRUE_TO_PAPER: f32 = 1e-4;
@@ -138,7 +142,7 @@ impl Layers {
         // together evenly.
         let most = OVERHANG * width;
         let room = PRESSED * width;
-        let clear = ROOM_FROM_SPINE * width / WIDTH;
+        let clear = LAYERS * ROOM_FROM_SPINE * width / WIDTH;
         let nearest = (places.iter().zip(&is_over))
             .filter(|(_, is_over)| **is_over)
             .fold(clear, |least, ([x, _], _)| least.min(*x));
