@@ -148,7 +148,7 @@ describe("random files", () => {
   }
 
   it(`are rejected in one sentence, or played in finite numbers (seed ${seed})`, {
-    timeout: 60_000 * fuzz,
+    timeout: 120_000 * fuzz,
   }, () => {
     const numbers = new Random();
     const random = (below: number): number => numbers.below(below);
