@@ -100,7 +100,7 @@ describe("what cannot be filmed ends with one sentence", () => {
   });
 });
 
-it("a browser that the command starts loads one page, which it is told to load", async () => {
+it("a browser that the command starts loads no page but the one that is asked for", async () => {
   let profile = "";
   watchTemporary(({ folder }) => {
     profile = folder;
