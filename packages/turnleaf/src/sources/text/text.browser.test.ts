@@ -251,7 +251,9 @@ test("notes that lead one to the next are numbered in their order, however many 
   const found = notes.of(text, true);
   const list = listOf(found, (tokens) => htmlOf(tokens, new Map(), notes));
   expect(found.length).toBe(12_000);
-  expect(list).toMatch(/<li [^>]*value="12000"[^>]*><p>Note11999 /);
+  const last = list.slice(list.lastIndexOf("<li "));
+  expect(last).toContain('value="12000"');
+  expect(last).toContain("Note11999 ");
   const source = await open(chain(100), "chain.md");
   const runs = (await source.text?.(0, never)) ?? [];
   expect(runs.map((run) => run.text).join("")).toContain("Here1.");
