@@ -19,6 +19,13 @@ const engines = "packages/cli/tests/engines/*.test.ts";
 /** Tests of where pages come from, but for those of which modules are loaded when. */
 const sources = "packages/turnleaf/src/sources/**/!(preparing).browser.test.ts";
 
+/** Tests of which modules are loaded when, and of all that a page has for assistive technology. */
+const alone = [
+  "packages/turnleaf/src/canvas2d/canvas2d.browser.test.ts",
+  "packages/turnleaf/src/sources/preparing.browser.test.ts",
+  "packages/turnleaf/src/text/text_layer.browser.test.ts",
+];
+
 /** Nothing is drawn by WebGL. */
 const undrawn = { setup: "browser_setup.ts", flags: ["--disable-gpu"] };
 
@@ -191,8 +198,10 @@ export default defineConfig({
       ),
       inChromium("chromium", ["packages/**/*.browser.test.ts"], {
         ...undrawn,
-        exclude: [sources],
+        exclude: [sources, ...alone],
+        sharesPage: true,
       }),
+      inChromium("chromium, alone", alone, undrawn),
       // They read books and show few, and loading the readers takes as long as most of these files.
       inChromium("chromium, sources", [sources], { ...undrawn, sharesPage: true }),
       inChromium("chromium, drawn", ["packages/**/*.drawn.test.ts"], {

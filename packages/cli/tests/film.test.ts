@@ -3,8 +3,11 @@ import { existsSync, readdirSync, readFileSync, statSync } from "node:fs";
 import { join } from "node:path";
 import { afterAll, beforeAll, describe, expect, it } from "vitest";
 import { parseCommand } from "../src/arguments.ts";
+import { ChromiumPage } from "../src/chromium/devtools.ts";
+import { findChromium } from "../src/chromium/find_chromium.ts";
 import { findProgram } from "../src/chromium/find_program.ts";
 import { Frames } from "../src/film/frames.ts";
+import { watchTemporary } from "../src/temporary.ts";
 import { pdf } from "./books.ts";
 import { type Ended, folderOf, main, runWithChromium, signalOnce } from "./command.ts";
 import { expectSamePicture } from "./same_picture.ts";
@@ -95,6 +98,25 @@ describe("what cannot be filmed ends with one sentence", () => {
     expect(ended.stderr).toContain("holds other files or another film; name another folder");
     expect(existsSync(book)).toBe(true);
   });
+});
+
+it("a browser that the command starts loads no page but the one that is asked for", async () => {
+  let profile = "";
+  watchTemporary(({ folder }) => {
+    profile = folder;
+  });
+  const page = await ChromiumPage.start(findChromium(undefined), 96, 64, [
+    "--remote-debugging-port=0",
+  ]);
+  try {
+    const [port] = readFileSync(join(profile, "DevToolsActivePort"), "utf8").split("\n", 1);
+    const list = await fetch(`http://127.0.0.1:${port}/json/list`);
+    const pages = (await list.json()) as { url: string }[];
+    expect(pages.map(({ url }) => url)).toEqual(["about:blank"]);
+  } finally {
+    await page.close();
+    watchTemporary(() => {});
+  }
 });
 
 describe("a film", () => {

@@ -8,13 +8,19 @@ import type { Readable, Writable } from "node:stream";
 import { Problem, printable } from "../problem.ts";
 import { makeTemporary, noteProgram, removeTemporary } from "../temporary.ts";
 
+/** Pages of its own that a browser loads for its window: what drops down from its address bar. */
+const unseen = ["WebUIOmniboxPopup", "WebUIOmniboxAimPopup", "WebUIOmniboxFullPopup"];
+
 /**
- * No network requests of its own, no traces left, and software rendering
- * without a graphics card.
+ * No network requests of its own, no traces left, no page but the one that is asked for, no experiments of
+ * its makers, and software rendering without a graphics card.
  */
 const flags = [
   "--headless",
   "--remote-debugging-pipe",
+  "--no-startup-window",
+  "--disable-field-trial-config",
+  `--disable-features=${unseen.join(",")}`,
   "--no-first-run",
   "--no-default-browser-check",
   "--disable-background-networking",

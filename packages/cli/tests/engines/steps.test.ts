@@ -78,7 +78,7 @@ describe.each(here)("%s", (_, { start, hasWebGL }) => {
   afterAll(async () => {
     await browser?.close();
     await site?.stop();
-  }, 60_000);
+  });
   beforeEach(({ skip, onTestFailed, task }) => {
     // Each step begins where the previous one ended.
     if (hasFailed) skip("a step before it failed");

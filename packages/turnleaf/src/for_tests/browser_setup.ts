@@ -1,6 +1,6 @@
 /** Before every file of browser tests: the clock is the tests' own, and nothing is drawn. */
 
-import { afterAll, afterEach } from "vitest";
+import { afterAll, afterEach, vi } from "vitest";
 import { clock, installClock } from "./clock.ts";
 import { drawNothing } from "./undrawn.ts";
 import { countWork } from "./work.ts";
@@ -10,9 +10,12 @@ installClock();
 drawNothing(() => void leaveLightOut());
 countWork();
 afterEach(() => clock.run());
-// The next file may run in the same page: books that were not closed have frames in it.
+// The next file may run in the same page: it finds nothing mocked, no book, and no frame of one that was not closed.
 afterAll(() => {
-  for (const frame of document.querySelectorAll("iframe")) frame.remove();
+  vi.restoreAllMocks();
+  vi.unstubAllGlobals();
+  for (const left of document.querySelectorAll("iframe, turnleaf-book")) left.remove();
+  document.body.removeAttribute("style");
 });
 
 /** Has books compute no light, which takes as long as all else of a frame, and which nothing shows. */

@@ -47,7 +47,7 @@ export async function bookInPlace(
   attributes: Record<string, string>,
   [width, height]: readonly number[],
 ): Promise<TurnleafBook> {
-  shown ??= book(null);
+  if (!shown?.isConnected) shown = book(null);
   const loaded = happens(shown, "load");
   shown.pages = pages;
   for (const name of shown.getAttributeNames()) if (name !== "style") shown.removeAttribute(name);

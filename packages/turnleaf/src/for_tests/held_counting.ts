@@ -1,12 +1,16 @@
 /** Counting of the pages of flowing text, held for tests: it goes on when the browser is idle. */
 
-import { afterEach } from "vitest";
+import { onTestFinished } from "vitest";
 
 const real = globalThis.requestIdleCallback;
 let held: IdleRequestCallback[] = [];
 
 /** Has no further chapter counted, until `countOn` or the end of the test. */
 export function holdCounting(): void {
+  onTestFinished(() => {
+    globalThis.requestIdleCallback = real;
+    held = [];
+  });
   globalThis.requestIdleCallback = (call) => held.push(call);
 }
 
@@ -22,8 +26,3 @@ export function countOn(chapters: number = Number.POSITIVE_INFINITY): void {
   };
   for (const call of due) globalThis.requestIdleCallback(call);
 }
-
-afterEach(() => {
-  globalThis.requestIdleCallback = real;
-  held = [];
-});

@@ -1,6 +1,6 @@
 /** PDFs of few bytes, or of many things alike, that would take any time and memory. */
 
-import { type TinyPdf, tinyPdf } from "../sources/tiny_pdf.ts";
+import { latin1, type TinyPdf, tinyPdf } from "../sources/tiny_pdf.ts";
 
 const helvetica = "/Font << /F1 << /Type /Font /Subtype /Type1 /BaseFont /Helvetica >> >>";
 const ordinary = "0.2 0.4 0.8 rg 20 20 160 260 re f\n";
@@ -22,10 +22,11 @@ async function bomb(megabytes: number, rounds: number, letter = " "): Promise<st
     await writer.close();
     parts = [new Uint8Array(await packed)];
   }
-  return latin1(parts[0] as Uint8Array);
+  return textOf(parts[0] as Uint8Array);
 }
 
-function latin1(bytes: Uint8Array): string {
+/** Returns bytes as text of latin-1. */
+function textOf(bytes: Uint8Array): string {
   let text = "";
   for (let at = 0; at < bytes.length; at += 8192) {
     text += String.fromCharCode(...bytes.subarray(at, at + 8192));
@@ -91,7 +92,7 @@ function changed(
   bytes: Uint8Array<ArrayBuffer>,
   change: (pdf: string) => string,
 ): Uint8Array<ArrayBuffer> {
-  return Uint8Array.from(change(latin1(bytes)), (letter) => letter.charCodeAt(0));
+  return latin1(change(textOf(bytes)));
 }
 
 const outline = (count: number, next: (k: number) => string): string[] => [

@@ -80,7 +80,7 @@ export function fuzzed(
   rounds: number,
   round: (random: Random) => void | Promise<void>,
 ): void {
-  it(`${name} (seed ${seed})`, { timeout: 60_000 * fuzz }, async () => {
+  it(`${name} (seed ${seed})`, { timeout: 120_000 * fuzz }, async () => {
     const random = new Random();
     for (let k = 0; k < rounds * fuzz; k++) await round(random);
   });

@@ -39,7 +39,7 @@ const other: string | undefined = import.meta.env.TURNLEAF_VERDICTS;
 
 it.skipIf((seed !== 1 || fuzz !== 1) && other === undefined)(
   `gives the engine's verdicts (seed ${seed})`,
-  { timeout: 60_000 * fuzz },
+  { timeout: 120_000 * fuzz },
   async () => {
     const verdicts: string = other
       ? (await import(/* @vite-ignore */ `${other}?raw`)).default

@@ -9,7 +9,7 @@ import { messageOf } from "../for_tests/source_pages.ts";
 import { limits } from "./limits.ts";
 import { openSource } from "./open.ts";
 import { BookError, type PageSource } from "./page_source.ts";
-import { jpeg2000, type TinyPdf, tinyPdf } from "./tiny_pdf.ts";
+import { jpeg2000, latin1, type TinyPdf, tinyPdf } from "./tiny_pdf.ts";
 
 const never = new AbortController().signal;
 const text = "BT /F1 16 Tf 30 230 Td (Call me Ishmael) Tj ET\n";
@@ -27,12 +27,8 @@ const picture = (entries: string, bytes = "rubbish"): string =>
 const grey = "/ColorSpace /DeviceGray /BitsPerComponent 8";
 
 const whole: TinyPdf = { pages: [text, text, image], resources: helvetica };
-const latin1 = (bytes: Uint8Array): string =>
-  Array.from(bytes, (byte) => String.fromCharCode(byte)).join("");
-const asBytes = (from: string): Uint8Array<ArrayBuffer> =>
-  Uint8Array.from(from, (letter) => letter.charCodeAt(0));
 const changed = (change: (pdf: string) => string, pdf = whole): Uint8Array<ArrayBuffer> =>
-  asBytes(change(latin1(tinyPdf(pdf))));
+  latin1(change(Array.from(tinyPdf(pdf), (byte) => String.fromCharCode(byte)).join("")));
 const withFont = (kind: string, bytes: string): Uint8Array<ArrayBuffer> =>
   tinyPdf({ pages: [text], resources: "/Font << /F1 10 0 R >>", objects: fontFile(kind, bytes) });
 const withImage = (...objects: string[]): Uint8Array<ArrayBuffer> =>
@@ -316,7 +312,7 @@ test("printed by Chromium is read without a word on the console", async () => {
   const bytes = await commands.printedPdf(
     `<h1>One</h1><p lang="ar">مرحبا</p><p>ﬁ 日本 é <b>bold</b> <i>italic</i></p><svg width="90" height="90"><linearGradient id="g"><stop stop-color="red"/><stop offset="1"/></linearGradient><circle r="40" cx="45" cy="45" fill="url(#g)" opacity=".5"/></svg><img src="data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mNk+M9QDwADhgGAWjR9awAAAABJRU5ErkJggg=="><a href="https://example.com">A link</a><form><input value="x"></form><p style="break-before: page; text-shadow: 1px 1px 2px red">Two</p>`,
   );
-  const source = await openSource(asBytes(atob(bytes)));
+  const source = await openSource(latin1(atob(bytes)));
   await read(source);
   expect(source.pageCount).toBe(2);
   const picture = await source.draw(0, 900, never);

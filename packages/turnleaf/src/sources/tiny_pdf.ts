@@ -57,8 +57,11 @@ function write(objects: ReadonlyMap<number, string>): string {
   return `${text}xref\n0 ${size}\n${offsets.map(entry).join("")}${trailer}startxref\n${start}\n%%EOF\n`;
 }
 
-function latin1(text: string): Uint8Array<ArrayBuffer> {
-  return Uint8Array.from(text, (letter) => letter.charCodeAt(0));
+/** Returns text of latin-1 as bytes. Text may have millions of letters, so it is not read by its code points. */
+export function latin1(text: string): Uint8Array<ArrayBuffer> {
+  const bytes = new Uint8Array(text.length);
+  for (let k = 0; k < bytes.length; k++) bytes[k] = text.charCodeAt(k);
+  return bytes;
 }
 
 /** An image of 16 by 16 pixels, all of them 200, 30, 30. */

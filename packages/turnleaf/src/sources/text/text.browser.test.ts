@@ -2,6 +2,8 @@ import { expect, test } from "vitest";
 import { expectConformance } from "../../for_tests/source_conformance.ts";
 import { openSource } from "../open.ts";
 import type { PageSource } from "../page_source.ts";
+import { Footnotes, listOf } from "./footnotes.ts";
+import { htmlOf, readMarkdown } from "./markdown.ts";
 
 const never = new AbortController().signal;
 const paragraph = (k: number): string => `Paragraph ${k}. ${"Call me Ishmael. ".repeat(20)}`;
@@ -239,9 +241,20 @@ And there[^b].
 });
 
 test("notes that lead one to the next are numbered in their order, however many they are", async () => {
-  const count = 12_000;
-  const notes = Array.from({ length: count }, (_, k) => `[^${k}]: Note${k} [^${k + 1}]`);
-  const source = await open(`# One\n\nHere[^0].\n\n${notes.join("\n\n")}\n`, "chain.md");
+  const chain = (count: number): string => {
+    const notes = Array.from({ length: count }, (_, k) => `[^${k}]: Note${k} [^${k + 1}]`);
+    return `# One\n\nHere[^0].\n\n${notes.join("\n\n")}\n`;
+  };
+  // Without laying out hundreds of pages of them.
+  const notes = new Footnotes();
+  const text = notes.take(readMarkdown(chain(12_000)));
+  const found = notes.of(text, true);
+  const list = listOf(found, (tokens) => htmlOf(tokens, new Map(), notes));
+  expect(found.length).toBe(12_000);
+  const last = list.slice(list.lastIndexOf("<li "));
+  expect(last).toContain('value="12000"');
+  expect(last).toContain("Note11999 ");
+  const source = await open(chain(100), "chain.md");
   const runs = (await source.text?.(0, never)) ?? [];
   expect(runs.map((run) => run.text).join("")).toContain("Here1.");
 });

@@ -167,7 +167,7 @@ test("the first number of pages of many kinds of books is near the last", async 
   const median = (sorted[(sorted.length - 1) >> 1] + sorted[sorted.length >> 1]) / 2;
   expect(median, JSON.stringify(off)).toBeLessThan(0.05);
   expect(sorted.at(-1), JSON.stringify(off)).toBeLessThan(0.3);
-}, 60_000);
+});
 
 test("of a book that is alike throughout two pieces are laid out before its first number of pages", async () => {
   const frames = async (chapters: readonly string[]): Promise<number> => {
