@@ -246,12 +246,8 @@ function sameFile(data: Uint8Array, count: number, ending: string): Uint8Array<A
   return all;
 }
 
-/**
- * Returns all books.
- *
- * @param part how large those are that are long and no attack, from 0 to 1
- */
-export function hostileBooks(part: number): readonly HostileBook[] {
+/** Returns all books. */
+export function hostileBooks(): readonly HostileBook[] {
   const drawings = Object.entries(hostileDrawings).flatMap(([what, text]): HostileBook[] => {
     const isRefused = !what.includes("unknown kind");
     return [
@@ -302,19 +298,18 @@ export function hostileBooks(part: number): readonly HostileBook[] {
     },
     {
       name: "Markdown: a list",
-      make: () => file(["- a\n".repeat(20_000 * part)], "a.md"),
+      make: () => file(["- a\n".repeat(20_000)], "a.md"),
       isRefused: false,
     },
     {
       name: "an EPUB: italics",
       make: () =>
-        file([tinyEpub({ chapters: [`<p>${"<i>a</i> ".repeat(50_000 * part)}</p>`] })], "a.epub"),
+        file([tinyEpub({ chapters: [`<p>${"<i>a</i> ".repeat(50_000)}</p>`] })], "a.epub"),
       isRefused: false,
     },
     {
       name: "an EPUB: line breaks",
-      make: () =>
-        file([tinyEpub({ chapters: [`<p>${"a<br/>".repeat(60_000 * part)}</p>`] })], "a.epub"),
+      make: () => file([tinyEpub({ chapters: [`<p>${"a<br/>".repeat(60_000)}</p>`] })], "a.epub"),
       isRefused: false,
     },
     ...["", 'b="&gt;"', 'b=">"'].map(
@@ -328,14 +323,14 @@ export function hostileBooks(part: number): readonly HostileBook[] {
       }),
     ),
     {
-      name: `a comic: one image of ${90 * part} MB, 20,000 times`,
-      make: () => file([sameFile(jpegOf(90_000_000 * part), 20_000, "jpg")], "a.cbz"),
+      name: "a comic: one image of 90 MB, 20,000 times",
+      make: () => file([sameFile(jpegOf(90_000_000), 20_000, "jpg")], "a.cbz"),
       isRefused: false,
       firstPage: /^Page 1 of a\.cbz \(0\.jpg\) is damaged or no image; /,
     },
     {
-      name: "an EPUB: a chapter of megabytes",
-      make: () => file([tinyEpub({ chapters: [prose(6000 * part, 60)] })], "a.epub"),
+      name: "an EPUB: a chapter of four megabytes",
+      make: () => file([tinyEpub({ chapters: [prose(6000, 60)] })], "a.epub"),
       isRefused: false,
     },
   ];

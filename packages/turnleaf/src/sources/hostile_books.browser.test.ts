@@ -6,7 +6,6 @@
 import { expect, test } from "vitest";
 import { commands } from "vitest/browser";
 import { hostileBooks } from "../for_tests/hostile_books.ts";
-import { isLong } from "../for_tests/long.ts";
 import { messageOf } from "../for_tests/source_pages.ts";
 import { openSource } from "./open.ts";
 import { BookError, type PageSource } from "./page_source.ts";
@@ -25,35 +24,28 @@ async function readFirst(source: PageSource): Promise<void> {
 /** What a book may take: seconds of processors, as those on the wall are other tests' too, and bytes. */
 const most = { seconds: 10, bytes: 1_000_000_000 };
 
-/** A third of each long book, whose time and memory grow as it does. */
-const part = isLong ? 1 : 1 / 3;
-
-test.each(hostileBooks(part))(
-  "$name is opened or rejected",
-  async ({ make, isRefused, firstPage }) => {
-    const file = make();
-    await commands.processUse();
-    const source = await openSource(file).catch((error: unknown) => {
-      expect(error).toBeInstanceOf(BookError);
-      return error as BookError;
-    });
-    const said = source instanceof BookError ? source.message : await messageOf(readFirst(source));
-    if (isRefused)
-      expect(said).toMatch(/a\.\w+.* takes more time or memory than a page may: .*\.$/);
-    else if (firstPage) expect(said).toMatch(firstPage);
-    else expect(said).toBe("");
-    if (!(source instanceof BookError)) {
-      // The rest of the book is read.
-      const last = source.pageCount - 1;
-      if (last > 0 && !firstPage) {
-        const picture = await source.draw(last, 60, never);
-        if ("close" in picture) picture.close();
-      }
-      source.close();
+test.each(hostileBooks())("$name is opened or rejected", async ({ make, isRefused, firstPage }) => {
+  const file = make();
+  await commands.processUse();
+  const source = await openSource(file).catch((error: unknown) => {
+    expect(error).toBeInstanceOf(BookError);
+    return error as BookError;
+  });
+  const said = source instanceof BookError ? source.message : await messageOf(readFirst(source));
+  if (isRefused) expect(said).toMatch(/a\.\w+.* takes more time or memory than a page may: .*\.$/);
+  else if (firstPage) expect(said).toMatch(firstPage);
+  else expect(said).toBe("");
+  if (!(source instanceof BookError)) {
+    // The rest of the book is read.
+    const last = source.pageCount - 1;
+    if (last > 0 && !firstPage) {
+      const picture = await source.draw(last, 60, never);
+      if ("close" in picture) picture.close();
     }
-    const { seconds, bytes } = await commands.processUse();
-    expect(seconds).toBeLessThan(most.seconds);
-    // Other systems than Linux do not say it.
-    expect(bytes ?? 0).toBeLessThan(most.bytes);
-  },
-);
+    source.close();
+  }
+  const { seconds, bytes } = await commands.processUse();
+  expect(seconds).toBeLessThan(most.seconds);
+  // Other systems than Linux do not say it.
+  expect(bytes ?? 0).toBeLessThan(most.bytes);
+});
