@@ -13,7 +13,7 @@ import type {
   PageSource,
   TextRun,
 } from "../sources/page_source.ts";
-import { columnAt } from "./columns.ts";
+import { columnAt, columnsOf } from "./columns.ts";
 import { boundsOf, cutBoxes, cutRuns } from "./cut_to_page.ts";
 import { NotePopover } from "./note_popover.ts";
 import { type FieldPlace, type FieldValues, makeFields } from "./page_fields.ts";
@@ -140,6 +140,13 @@ export class TextLayer {
   ): ReturnType<typeof columnAt> {
     const content = this.#contents.get(page);
     return content ? columnAt(content.runs, content.size, at) : null;
+  }
+
+  /** Returns the columns of an open page's text in the order of reading, as `columnsOf` does; none if its text is not known. */
+  columnsOf(page: number): ReturnType<typeof columnsOf> {
+    const content = this.#contents.get(page);
+    const columns = content ? columnsOf(content.runs, content.size) : [];
+    return this.#options.source.direction === "rtl" ? [...columns].reverse() : columns;
   }
 
   /** Reads the open pages again after a change; what is played on one of them is heard first. */
