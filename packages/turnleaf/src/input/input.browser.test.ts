@@ -486,6 +486,37 @@ test("zoomed, Space and Page Down go down the page, to the head of the next, and
   expect(seen().x).toBeCloseTo(start.x, -1);
 });
 
+test("a finger's tap or swipe beside the book turns it to that side, and a mouse's does nothing", async () => {
+  const { element, pointer } = await opened();
+  element.style.cssText = "width: 600px; height: 220px";
+  await settled(element);
+  const touch = { pointerType: "touch", pointerId: 7 };
+  const { x, width } = element.bookBounds as DOMRect;
+  const { left } = element.getBoundingClientRect();
+  const [before, beyond] = [x - left - 40, x - left + width + 40];
+  const lands = async (act: () => void): Promise<number> => {
+    act();
+    await clock.pass(1000);
+    await settled(element);
+    return element.page;
+  };
+  expect(before).toBeGreaterThan(20);
+  expect(await lands(() => pointer.click(beyond, 110, touch))).toBe(8);
+  expect(await lands(() => pointer.click(before, 110, touch))).toBe(6);
+  const swipe = (from: number, to: number) => () => {
+    pointer.point("pointerdown", from, 110, touch);
+    pointer.flick([from, 110], [to, 112], touch);
+    pointer.point("pointerup", to, 112, touch);
+  };
+  expect(await lands(swipe(beyond, beyond - 90))).toBe(8);
+  expect(await lands(swipe(before, before + 90))).toBe(6);
+  expect(await lands(() => pointer.click(beyond, 110))).toBe(6);
+  element.binding = "right";
+  await settled(element);
+  const page = element.page;
+  expect(await lands(() => pointer.click(before, 110, touch))).toBeGreaterThan(page);
+});
+
 test("zoomed to a column, Space goes down it, to the head of the column beside it, and then to the next page's", async () => {
   const lines = (x: number) =>
     Array.from({ length: 30 }, (_, k) => ({
