@@ -3,7 +3,7 @@ import { eventually } from "../for_tests/eventually.ts";
 import { limits } from "./limits.ts";
 import { loadPdfLibrary, type PdfLibrary } from "./pdf_runtime.ts";
 import { PdfThread, WorkerStalled } from "./pdf_thread.ts";
-import { ProcessorShare } from "./processor_share.ts";
+import { ProcessorFraction } from "./processor_fraction.ts";
 import { tinyPdf } from "./tiny_pdf.ts";
 
 afterEach(() => {
@@ -58,9 +58,9 @@ test.each([
   [1 / 4, 44],
 ])(
   "a worker that gets %f of a processor is looked at %i times after the first before it is given up",
-  async (share, looks) => {
+  async (fraction, looks) => {
     const { pdfTime } = limits;
-    const measure = vi.fn(async () => share);
+    const measure = vi.fn(async () => fraction);
     const thread = await PdfThread.start(loadPdfLibrary(), undefined, { measure, stop: () => {} });
     Object.assign(limits, { pdfTime: 24 });
     try {
@@ -97,10 +97,10 @@ test("the fraction of a processor that a worker gets is the time that its clock 
     terminate(): void {}
   }
   vi.stubGlobal("Worker", InterruptedWorker);
-  const share = new ProcessorShare();
-  expect(await share.measure()).toBeCloseTo(3 / 8, 1);
-  share.stop();
+  const fraction = new ProcessorFraction();
+  expect(await fraction.measure()).toBeCloseTo(3 / 8, 1);
+  fraction.stop();
   // Where the browser starts no worker, all time counts.
   vi.stubGlobal("Worker", undefined);
-  expect(await share.measure()).toBe(1);
+  expect(await fraction.measure()).toBe(1);
 });

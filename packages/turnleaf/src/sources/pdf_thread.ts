@@ -5,7 +5,7 @@ import { nameAndMessage } from "./failures.ts";
 import { limits } from "./limits.ts";
 import { BookError } from "./page_source.ts";
 import { blobWorker, isLoadingData, type PdfLibrary } from "./pdf_runtime.ts";
-import { ProcessorShare } from "./processor_share.ts";
+import { ProcessorFraction } from "./processor_fraction.ts";
 import { trustedScript } from "./trusted_script.ts";
 
 /** Milliseconds in which a worker has to report that it has started. */
@@ -56,7 +56,7 @@ export class PdfThread {
    */
   waitsForOthers = false;
   readonly #waiting = new Set<Job>();
-  readonly #share: Pick<ProcessorShare, "measure" | "stop">;
+  readonly #fraction: Pick<ProcessorFraction, "measure" | "stop">;
   /** Steps of drawing that have come, by their list. */
   readonly #steps = new Map<unknown, number>();
   #hasStarted = false;
@@ -64,9 +64,9 @@ export class PdfThread {
   #failure: Error | null = null;
   readonly #timer: ReturnType<typeof setTimeout>;
 
-  private constructor(thread: Worker, share: Pick<ProcessorShare, "measure" | "stop">) {
+  private constructor(thread: Worker, fraction: Pick<ProcessorFraction, "measure" | "stop">) {
     this.#thread = thread;
-    this.#share = share;
+    this.#fraction = fraction;
     this.#timer = setTimeout(() => {
       this.#fail(new WorkerNotStarted("It gave no sign of life."), true);
     }, startingTime);
@@ -96,17 +96,17 @@ export class PdfThread {
    * @param library pdf.js itself, which is compiled while the worker's script is
    * @param address the worker's script on the page's own site, if it may not be
    * a blob
-   * @param share measures how much of a processor the worker gets
+   * @param fraction measures how much of a processor the worker gets
    */
   static async start(
     library: Promise<PdfLibrary>,
     address?: string,
-    share: Pick<ProcessorShare, "measure" | "stop"> = new ProcessorShare(),
+    fraction: Pick<ProcessorFraction, "measure" | "stop"> = new ProcessorFraction(),
   ): Promise<PdfThread> {
     const script = address ?? (await blobWorker());
     let thread: PdfThread;
     try {
-      thread = new PdfThread(new Worker(trustedScript(script), { type: "module" }), share);
+      thread = new PdfThread(new Worker(trustedScript(script), { type: "module" }), fraction);
     } catch (error) {
       throw new WorkerNotStarted(nameAndMessage(error));
     }
@@ -157,7 +157,7 @@ export class PdfThread {
   /** Ends the worker at once. */
   readonly stop = (): void => {
     clearTimeout(this.#timer);
-    this.#share.stop();
+    this.#fraction.stop();
     this.#worker?.destroy();
     this.#thread.terminate();
   };
@@ -194,7 +194,7 @@ export class PdfThread {
         const jobs = [...this.#waiting];
         // Most jobs have ended before a second look.
         const isLong = jobs.some(({ taken }) => taken > 0);
-        const given = lookEvery * (isLong ? await this.#share.measure() : 1);
+        const given = lookEvery * (isLong ? await this.#fraction.measure() : 1);
         for (const job of jobs) job.taken += given;
         const isLate = jobs.some((job) => this.#waiting.has(job) && job.taken >= job.most);
         if (isLate) this.#fail(new WorkerStalled("It takes too long."), true);

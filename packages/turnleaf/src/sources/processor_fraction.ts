@@ -4,7 +4,7 @@ import { trustedScript } from "./trusted_script.ts";
 import { scriptAddress } from "./worker_script.ts";
 
 /** The least fraction that is reported, so that what is measured by it ends. */
-const leastShare = 1 / 4;
+const leastFraction = 1 / 4;
 
 /** Milliseconds after which a worker that has not measured gets the least. */
 const patience = 2000;
@@ -25,7 +25,7 @@ const script = `onmessage = () => {
 };`;
 
 /** Measures it in a worker of its own, which starts when it is first needed. */
-export class ProcessorShare {
+export class ProcessorFraction {
   #worker: Promise<Worker> | null = null;
 
   /** Returns the fraction of a processor that a worker gets now, 1/4 to 1; 1 if the browser starts no worker. */
@@ -33,16 +33,16 @@ export class ProcessorShare {
     try {
       this.#worker ??= start();
       const worker = await this.#worker;
-      const share = await new Promise<number>((resolve, reject) => {
+      const fraction = await new Promise<number>((resolve, reject) => {
         worker.onmessage = ({ data }) => resolve(Number(data));
         worker.onerror = (event) => {
           event.preventDefault();
           reject(new Error("It did not start."));
         };
-        AbortSignal.timeout(patience).addEventListener("abort", () => resolve(leastShare));
+        AbortSignal.timeout(patience).addEventListener("abort", () => resolve(leastFraction));
         worker.postMessage(null);
       });
-      return Math.min(Math.max(share, leastShare), 1);
+      return Math.min(Math.max(fraction, leastFraction), 1);
     } catch {
       return 1;
     }
