@@ -345,8 +345,9 @@ export interface AttributeProperties {
 
   /**
    * Whether the open page is kept in the document's address, as `#page=23`, or as
-   * `#page=23&at=3:1204` of flowing text, whose words it names: for one book per document. A jump,
-   * as by a link, is a step in the browser's history.
+   * `#page=23&at=3:1204` of flowing text, whose words it names. It is the address of one book: of
+   * several in a document that have the attribute, of the first. A jump, as by a link, is a step in
+   * the browser's history.
    *
    * @attribute address
    * @default off

@@ -1,4 +1,4 @@
-/** On a small screen a tap on the middle of a page hides the bars, and shows them again. */
+/** A finger's tap on the middle of a page hides the bars, and shows them again. */
 
 import { pageTap } from "../element/page_tap.ts";
 import type { ControlledBook } from "./book.ts";
@@ -9,14 +9,12 @@ import { sight } from "./full_screen.ts";
  * opened, and as a page is turned by hand.
  *
  * @param frame gets the class `bare` while the bars are hidden
- * @param isNarrow returns whether the bars take the place of the book
  * @returns a function that lets bars over the book be seen for a while, and then hides them
  */
 export function watchTaps(
   book: HTMLElement & Pick<ControlledBook, "pageCount">,
   frame: HTMLElement,
   stage: HTMLElement,
-  isNarrow: () => boolean,
   signal: AbortSignal,
 ): () => void {
   /** Whether the last press was on the book. */
@@ -42,7 +40,8 @@ export function watchTaps(
     () => {
       const isBare = frame.classList.contains("bare");
       show();
-      if (!isBare && (isNarrow() || isOver())) frame.classList.add("bare");
+      // Beside an open panel they stay.
+      if (!isBare && !frame.classList.contains("open")) frame.classList.add("bare");
     },
     { signal },
   );

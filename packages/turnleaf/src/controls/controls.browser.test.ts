@@ -688,6 +688,24 @@ test("all that is selected is the book's text: no field is selected that is not 
   book.remove();
 });
 
+test("a tap on the middle of a page hides the bars on a tablet too, unless a panel is open beside it", async () => {
+  const { book, root, remove } = addFakeBook(1180);
+  const stage = root.querySelector<HTMLElement>("[part=stage]");
+  const isBare = () => root.querySelector(".frame")?.classList.contains("bare");
+  const tap = () => stage?.dispatchEvent(new Event(pageTap));
+  const height = stage?.clientHeight ?? 0;
+  tap();
+  expect([isBare(), stage?.clientHeight]).toEqual([true, height + 100]);
+  tap();
+  expect([isBare(), stage?.clientHeight]).toEqual([false, height]);
+  root.querySelector<HTMLElement>("[part=toolbar] [aria-label=Contents]")?.click();
+  await eventually(() => root.querySelector(".frame")?.classList.contains("open")).toBe(true);
+  tap();
+  expect([isBare(), stage?.clientHeight]).toEqual([false, height]);
+  remove();
+  book.remove();
+});
+
 test("on a phone Type is in the bar, and a tap on the middle of a page hides the bars and shows them", () => {
   const { book, root, remove } = addFakeBook(390, { canTypeset: true });
   const type = root.querySelector<HTMLElement>("[part=toolbar] [aria-label=Type]");

@@ -188,7 +188,7 @@ function build<Hit extends FoundPlace>(
   });
   observer.observe(book, { attributeFilter: watched });
   watchFullScreen(book, frame, refresh, signal);
-  const restBars = watchTaps(book, frame, stage, isNarrow, signal);
+  const restBars = watchTaps(book, frame, stage, signal);
   listenToKeys(
     book,
     {

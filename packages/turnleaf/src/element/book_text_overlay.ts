@@ -110,6 +110,11 @@ export class BookTextOverlay {
     return this.#layers[0]?.columnAt(...place) ?? null;
   }
 
+  /** As `TextLayer` has it. */
+  columnsOf(page: number): ReturnType<TextLayer["columnsOf"]> {
+    return this.#layers[0]?.columnsOf(page) ?? [];
+  }
+
   /** Reads the pages again after a change of the book. */
   changed(): void {
     for (const layer of this.#layers) layer.reload();

@@ -82,6 +82,7 @@ export class OpenBook {
     this.#input = new Input(canvas, stage, element, {
       ...{ viewer, plane, turn, announceZoom, calm, allows, swipeDistance },
       columnAt: (page, at) => this.reading.columnAt(page, at),
+      columnsOf: (page) => this.reading.columnsOf(page),
       tapped: () => stage.dispatchEvent(new Event(pageTap)),
     });
     const language = (): string => languageOf(element);

@@ -38,6 +38,9 @@ export interface HomePlace {
   readonly lists: PageLists;
 }
 
+/** What keeps the place that the document's address names. */
+let addressed: PlaceKeeper | null = null;
+
 /** Follows one element for as long as it is in a document. */
 export class PlaceKeeper {
   readonly #book: PlacedBook;
@@ -68,6 +71,7 @@ export class PlaceKeeper {
   follow(): void {
     this.#ended = new AbortController();
     this.#isOpen = this.#book.pageCount > 0;
+    if (this.#book.hasAttribute("address")) addressed ??= this;
     const { signal } = this.#ended;
     const on = (target: EventTarget, name: string, handle: () => void): void =>
       target.addEventListener(name, handle, { signal });
@@ -88,6 +92,7 @@ export class PlaceKeeper {
   leave(): void {
     this.#keep();
     this.#isOpen = false;
+    if (addressed === this) addressed = null;
     this.#ended?.abort();
   }
 
@@ -99,7 +104,7 @@ export class PlaceKeeper {
 
   /** Call it when the reader is about to jump in the book: the browser's Back leads back. */
   jump(): void {
-    if (!this.#isOpen || !this.#book.hasAttribute("address")) return;
+    if (!this.#isOpen || !this.#hasAddress) return;
     this.#write();
     // The next place is written into an entry of its own.
     this.#hasJumped = stepInHistory();
@@ -179,14 +184,21 @@ export class PlaceKeeper {
     void this.#book.turnTo(to);
   }
 
+  /** Whether the address names this book's place: a document has one, of its first book that asks for it. */
+  get #hasAddress(): boolean {
+    if (!this.#book.hasAttribute("address")) return false;
+    addressed ??= this;
+    return addressed === this;
+  }
+
   /** The page in the address; null if there is none, or the address is not used. */
   get #asked(): number | null {
-    return this.#book.hasAttribute("address") ? pageOfHash(location.hash) : null;
+    return this.#hasAddress ? pageOfHash(location.hash) : null;
   }
 
   /** The anchor of the text in the address; null if there is none, or the address is not used. */
   get #askedText(): string | null {
-    return this.#book.hasAttribute("address") ? anchorOfHash(location.hash) : null;
+    return this.#hasAddress ? anchorOfHash(location.hash) : null;
   }
 
   /**
@@ -218,7 +230,7 @@ export class PlaceKeeper {
   }
 
   #write(): void {
-    if (this.#isOpen && this.#book.hasAttribute("address")) {
+    if (this.#isOpen && this.#hasAddress) {
       const { page } = this.#home();
       writeAddress(this.#book.page, this.#source()?.first.anchor?.(page - 1) ?? null);
     }

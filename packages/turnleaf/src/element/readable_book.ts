@@ -57,6 +57,11 @@ export class ReadableBook {
     return this.#overlay?.columnAt(...place) ?? null;
   }
 
+  /** As `BookTextOverlay` has it; none while that is not loaded. */
+  columnsOf(page: number): ReturnType<BookTextOverlay["columnsOf"]> {
+    return this.#overlay?.columnsOf(page) ?? [];
+  }
+
   /** Reads the pages again after a change of the book. */
   changed(): void {
     this.#withText((text) => text.changed());

@@ -80,6 +80,25 @@ test("the offset is shifted in the middle of a book, back again, and remembered"
   expect(again.shifts).toEqual([]);
 });
 
+test("the address is of the first book that asks for it, and of the next one once that is gone", async () => {
+  history.replaceState(null, "", "#page=4");
+  const first = book(scans(12), { ...small, address: "" });
+  await happens(first, "load");
+  const second = book(scans(12), { ...small, address: "" });
+  await happens(second, "load");
+  await Promise.all([settled(first), settled(second)]);
+  expect([first.page, second.page]).toEqual([4, 1]);
+  await second.goTo(8);
+  expect(location.hash).toBe("#page=4");
+  history.replaceState(null, "", "#page=6");
+  dispatchEvent(new PopStateEvent("popstate"));
+  await eventually(() => first.page).toBe(6);
+  expect(second.page).toBe(8);
+  first.remove();
+  await second.goTo(10);
+  expect(location.hash).toBe("#page=10");
+});
+
 test("the address says the page, and the page follows the address", async () => {
   history.replaceState(null, "", "#chapter&page=7");
   const element = book(scans(12), { ...small, address: "" });

@@ -5,7 +5,7 @@ import { pagesAt } from "../book/spreads.ts";
 import type { Place } from "../stage/book_stage.ts";
 import { keepsKeys } from "./own_pointers.ts";
 import type { InputTarget } from "./target.ts";
-import { type NextView, nextView, viewOf } from "./zoomed_reading.ts";
+import { columnInSight, type NextView, nextView, viewOf } from "./zoomed_reading.ts";
 
 /**
  * Duration of a zoom or pan by key, seconds, and the zoom of one key: that of
@@ -95,14 +95,16 @@ export class Keys {
     return true;
   }
 
-  /** Goes on in a zoomed book: down the page, then to the head of the next one, turning a leaf for it. */
+  /** Goes on in a zoomed book: down the page or column, then to the head of the next one, turning a leaf for it. */
   #readOn({ key, shiftKey }: KeyboardEvent): boolean {
-    const { viewer, turn } = this.#target;
+    const { viewer, turn, columnsOf } = this.#target;
     const by = key === "PageUp" || (key === " " && shiftKey) ? -1 : 1;
     if (viewer.zoomLevel <= 1 || !(key === "PageDown" || key === "PageUp" || key === " "))
       return false;
-    const { clientWidth, clientHeight } = this.#stage;
-    const view = nextView(viewer, by, clientWidth, clientHeight);
+    const { clientWidth: width, clientHeight: height } = this.#stage;
+    const book = { viewer, columnsOf, width, height };
+    const read = columnInSight(book);
+    const view = read && nextView(book, read, by);
     if (view) this.#show(view);
     else {
       const open = pagesAt(viewer.binding, viewer.turning.spread);
@@ -112,7 +114,7 @@ export class Keys {
         const pages = pagesAt(viewer.binding, viewer.turning.spread);
         const page = by === 1 ? pages[0] : pages.at(-1);
         if (!isTurned || page === undefined || viewer.zoomLevel <= 1) return;
-        const next = viewOf(viewer, page, by, x, clientHeight);
+        const next = viewOf(book, page, read, by, x);
         if (next) this.#show(next);
       });
     }

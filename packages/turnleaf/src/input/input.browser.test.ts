@@ -485,3 +485,89 @@ test("zoomed, Space and Page Down go down the page, to the head of the next, and
   expect(seen().y).toBeCloseTo(0, -1);
   expect(seen().x).toBeCloseTo(start.x, -1);
 });
+
+test("a finger's tap or swipe beside the book turns it to that side, and a mouse's does nothing", async () => {
+  const { element, pointer } = await opened();
+  element.style.cssText = "width: 600px; height: 220px";
+  await settled(element);
+  const touch = { pointerType: "touch", pointerId: 7 };
+  const { x, width } = element.bookBounds as DOMRect;
+  const { left } = element.getBoundingClientRect();
+  const [before, beyond] = [x - left - 40, x - left + width + 40];
+  const lands = async (act: () => void): Promise<number> => {
+    act();
+    await clock.pass(1000);
+    await settled(element);
+    return element.page;
+  };
+  expect(before).toBeGreaterThan(20);
+  expect(await lands(() => pointer.click(beyond, 110, touch))).toBe(8);
+  expect(await lands(() => pointer.click(before, 110, touch))).toBe(6);
+  const swipe = (from: number, to: number) => () => {
+    pointer.point("pointerdown", from, 110, touch);
+    pointer.flick([from, 110], [to, 112], touch);
+    pointer.point("pointerup", to, 112, touch);
+  };
+  expect(await lands(swipe(beyond, beyond - 90))).toBe(8);
+  expect(await lands(swipe(before, before + 90))).toBe(6);
+  expect(await lands(() => pointer.click(beyond, 110))).toBe(6);
+  element.binding = "right";
+  await settled(element);
+  const page = element.page;
+  expect(await lands(() => pointer.click(before, 110, touch))).toBeGreaterThan(page);
+});
+
+test("zoomed to a column, Space goes down it, to the head of the column beside it, and then to the next page's", async () => {
+  const lines = (x: number) =>
+    Array.from({ length: 30 }, (_, k) => ({
+      text: "words",
+      x,
+      y: 40 + 12 * k,
+      width: 120,
+      height: 9,
+    }));
+  const page = { ...scans(1)[0], width: 300, height: 420, text: [...lines(20), ...lines(160)] };
+  const element = book(
+    { pages: Array.from({ length: 6 }, () => page) },
+    { page: "2", cover: "none", duration: "0", controls: "" },
+  );
+  element.style.cssText = "width: 600px; height: 500px";
+  await happens(element, "load");
+  await settled(element);
+  const stage = element.shadowRoot?.querySelector("[part=stage]") as HTMLElement;
+  await eventually(() => element.shadowRoot?.querySelectorAll(".pieces").length).toBeGreaterThan(4);
+  element.focus();
+  const press = async (key: string): Promise<void> => {
+    const more = { bubbles: true, composed: true, cancelable: true };
+    const target = element.shadowRoot?.querySelector(".frame");
+    target?.dispatchEvent(new KeyboardEvent("keydown", { key, ...more }));
+    await clock.pass(400);
+    await settled(element);
+  };
+  /** Returns which of the four columns of two pages is in the middle, from 0, and whether its head or foot is in sight. */
+  const seen = () => {
+    const { x, y, width, height } = element.bookBounds as DOMRect;
+    const at = (stage.offsetLeft + stage.clientWidth / 2 - x) / (width / 2);
+    const column = 2 * Math.floor(at) + (at % 1 > 0.5 ? 1 : 0);
+    const [top, foot] = [y - stage.offsetTop, y + height - stage.offsetTop - stage.clientHeight];
+    return [column, Math.abs(top) < 2 ? "head" : Math.abs(foot) < 2 ? "foot" : "between"];
+  };
+  const { x, y, width, height } = element.bookBounds as DOMRect;
+  // The middle of the first column comes into the middle of what is in sight.
+  element.zoomTo(4, { x: x + (width / 2) * 0.27, y: y + height * 0.05 });
+  await settled(element);
+  const order: string[] = [];
+  for (let k = 0; k < 40 && order.at(-1) !== "4 0"; k++) {
+    await press(" ");
+    const [column] = seen();
+    const now = `${element.spread.left} ${column}`;
+    if (order.at(-1) !== now) {
+      if (order.length > 0) expect(seen()[1]).toBe("head");
+      order.push(now);
+    }
+  }
+  expect(order).toEqual(["2 0", "2 1", "2 2", "2 3", "4 0"]);
+  await press("PageUp");
+  expect(seen()).toEqual([3, "foot"]);
+  expect(element.spread.left).toBe(2);
+});

@@ -1,7 +1,7 @@
 /** Converts pointer events to commands to the book, and passes on wheel and keys. */
 
 import { sideBefore } from "../book/leaf_order.ts";
-import { forward } from "../book/spreads.ts";
+import { forward, pagesAt } from "../book/spreads.ts";
 import { Side } from "../engine/phases.ts";
 import type { Place } from "../stage/book_stage.ts";
 import { type Dragged, type DragHit, isOnLeaf, type LeafHit, maxDrags } from "../viewer/drag.ts";
@@ -153,7 +153,8 @@ export class Input {
     const isZoomed = this.#viewer.zoomLevel > 1;
     const { drags } = this.#viewer;
     const hit = isZoomed ? null : drags.pick(at.x, at.y);
-    if (hit === null && !isZoomed) return;
+    // A finger beside the book turns it as one on its pages does.
+    if (hit === null && !isZoomed && kind !== "touch") return;
     // A leaf in flight is caught at once, where it is.
     const catches = hit && drags.isFlying(hit) && this.#target.allows("drag");
     const drag = catches ? drags.grab(hit) : null;
@@ -187,6 +188,7 @@ export class Input {
     if (!hasMoved(press)) return;
     this.#taps.forget();
     if (press.hit === null) {
+      if (this.#viewer.zoomLevel <= 1) return;
       press.pans = true;
       this.#viewer.handled = true;
     } else {
@@ -216,7 +218,16 @@ export class Input {
       const isTap = isDone && press.drag.doubleTap !== undefined && !hasMoved(press);
       if (isTap && this.#taps.tap(event)) press.drag.doubleTap?.();
     } else if (press.pans) this.#letGlide(press, isDone ? event.timeStamp : null);
+    else if (isDone && press.hit === null && hasMoved(press)) this.#swipe(press, event.timeStamp);
     else if (isDone) this.#tap(press, event);
+  }
+
+  /** Turns a leaf if a press beside the book has been a flick. */
+  #swipe({ x, y, at, flick, time }: Press, now: number): void {
+    const isLong = Math.hypot(at.x - x, at.y - y) >= this.#target.swipeDistance();
+    const isFlick = isLong && now - time <= flickTime && this.#target.allows("drag");
+    const way = isFlick ? this.#flicked(flick.velocity(now)) : 0;
+    if (way !== 0) this.#target.turn((way * forward(this.#viewer.binding)) as 1 | -1);
   }
 
   /**
@@ -257,7 +268,7 @@ export class Input {
     const { allows } = this.#target;
     const isTouch = event.pointerType === "touch";
     if (isTouch && event.timeStamp - time > longestTap) return;
-    const way = hit === null || !allows("click") ? 0 : this.#clicked(hit);
+    const way = !allows("click") ? 0 : hit === null ? this.#besideBook(at) : this.#clicked(hit);
     const inside = way === 0;
     clearTimeout(this.#tapped);
     if (inside && allows("zoom") && this.#taps.tap(event)) {
@@ -275,8 +286,19 @@ export class Input {
       // A second tap zooms, and leaves the bars as they are.
       if (isTouch) this.#tapped = setTimeout(this.#target.tapped, allows("zoom") ? soon : 0);
     }
-    if (way === 0 || hit === null || !isOnLeaf(hit) || this.#viewer.drags.isFlying(hit)) return;
+    if (way === 0 || (hit && (!isOnLeaf(hit) || this.#viewer.drags.isFlying(hit)))) return;
     this.#target.turn(way, true);
+  }
+
+  /** Returns which way a tap beside the book turns in the order of reading: to its own side; 0 for nowhere. */
+  #besideBook({ x }: Place): 1 | 0 | -1 {
+    const { binding, turning, zoomLevel } = this.#viewer;
+    if (zoomLevel > 1 || !this.#turnsAcross) return 0;
+    const edges = pagesAt(binding, turning.spread).flatMap((page) =>
+      [0, 1].flatMap((u) => this.#viewer.project(page, u, 0.5)?.x ?? []),
+    );
+    const side = x > Math.max(...edges) ? 1 : x < Math.min(...edges) ? -1 : 0;
+    return (side * forward(binding)) as 1 | 0 | -1;
   }
 
   /**

@@ -28,6 +28,8 @@ export interface InputTarget {
    * width; null if it has one column, or its text is not known.
    */
   readonly columnAt: (page: number, at: Place) => Column | null;
+  /** Returns the columns of an open page's text in the order of reading; none if it has one, or its text is not known. */
+  readonly columnsOf: (page: number) => readonly Column[];
   /** A finger has tapped on the middle of a page. */
   readonly tapped: () => void;
   /** Announces to screen readers the zoom level to which a key leads. */

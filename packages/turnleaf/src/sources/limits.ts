@@ -18,8 +18,8 @@ export const limits = {
   /** Bytes of a PDF; more does not fit in one array in every browser. */
   pdfBytes: 2_000_000_000,
   /**
-   * Of a PDF's page, or of all that is read to open one: milliseconds for which its worker is at it by
-   * itself, and steps of drawing, of which a million take half a gigabyte in the page and its workers.
+   * Of a PDF's page, or of all that is read to open one: milliseconds of a processor for which its worker is at
+   * it by itself, and steps of drawing, of which a million take half a gigabyte in the page and its workers.
    */
   pdfTime: 6000,
   pdfSteps: 1_000_000,

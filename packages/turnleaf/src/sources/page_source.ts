@@ -44,6 +44,10 @@ export interface TextRun extends PageBox {
    * the text: what is copied has a space there, or nothing within a word. The default is false.
    */
   readonly wraps?: boolean;
+  /** The rest of its last word, if that goes on on the next page: screen readers hear the word here, whole. The default is none. */
+  readonly wordEnd?: string;
+  /** How many of its first characters are the end of a word that begins on the page before. The default is 0. */
+  readonly wordEndLength?: number;
   /** The level of the heading in which it stands, 1 to 6, for screen readers. The default is none. */
   readonly heading?: number;
   /** Whether that heading goes on in the next run, on this page or on the next one. The default is false. */
@@ -362,8 +366,8 @@ export interface PageSource {
    * Returns the text of page `index` (from 0) in reading order. Rejects as
    * `draw` does.
    *
-   * @param exact whether the letters' places are wanted, headings, and where paragraphs go on (`wraps`, which
-   * the page's last run has always), which may take longer
+   * @param exact whether the letters' places are wanted, headings, words that go on on another page, and where
+   * paragraphs go on (`wraps`, which the page's last run has always), which may take longer
    */
   text?(index: number, signal: AbortSignal, exact?: boolean): Promise<readonly TextRun[]>;
   /**

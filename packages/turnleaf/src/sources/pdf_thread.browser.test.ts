@@ -1,7 +1,9 @@
 import { afterEach, expect, test, vi } from "vitest";
 import { eventually } from "../for_tests/eventually.ts";
-import type { PdfLibrary } from "./pdf_runtime.ts";
-import { PdfThread } from "./pdf_thread.ts";
+import { limits } from "./limits.ts";
+import { loadPdfLibrary, type PdfLibrary } from "./pdf_runtime.ts";
+import { PdfThread, WorkerStalled } from "./pdf_thread.ts";
+import { ProcessorFraction } from "./processor_fraction.ts";
 import { tinyPdf } from "./tiny_pdf.ts";
 
 afterEach(() => {
@@ -49,4 +51,56 @@ test("neither the worker nor the renderer warns on the console of what a file ha
   expect(said.length).toBeGreaterThan(0);
   expect(new Set(said)).toEqual(new Set([0]));
   source.close();
+});
+
+test.each([
+  [1, 11],
+  [1 / 4, 44],
+])(
+  "a worker that gets %f of a processor is looked at %i times after the first before it is given up",
+  async (fraction, looks) => {
+    const { pdfTime } = limits;
+    const measure = vi.fn(async () => fraction);
+    const thread = await PdfThread.start(loadPdfLibrary(), undefined, { measure, stop: () => {} });
+    Object.assign(limits, { pdfTime: 24 });
+    try {
+      await expect(thread.orFailed(new Promise(() => {}))).rejects.toBeInstanceOf(WorkerStalled);
+      expect(measure).toHaveBeenCalledTimes(looks);
+    } finally {
+      Object.assign(limits, { pdfTime });
+      thread.stop();
+    }
+  },
+);
+
+test("the fraction of a processor that a worker gets is the time that its clock does not jump over", async () => {
+  /** A worker whose clock jumps over five eighths of the time. */
+  class InterruptedWorker {
+    onmessage: (event: { data: unknown }) => void = () => {};
+    readonly #script: Promise<string>;
+    constructor(address: string) {
+      this.#script = fetch(address).then((response) => response.text());
+    }
+    async postMessage(): Promise<void> {
+      let [time, readings] = [0, 0];
+      const now = (): number => {
+        time += ++readings % 4 === 0 ? 2.5 : 0.5;
+        return time;
+      };
+      const run = new Function(
+        "performance",
+        "postMessage",
+        `let onmessage;${await this.#script}onmessage();`,
+      );
+      run({ now }, (data: unknown) => this.onmessage({ data }));
+    }
+    terminate(): void {}
+  }
+  vi.stubGlobal("Worker", InterruptedWorker);
+  const fraction = new ProcessorFraction();
+  expect(await fraction.measure()).toBeCloseTo(3 / 8, 1);
+  fraction.stop();
+  // Where the browser starts no worker, all time counts.
+  vi.stubGlobal("Worker", undefined);
+  expect(await fraction.measure()).toBe(1);
 });

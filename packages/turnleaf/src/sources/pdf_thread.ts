@@ -5,6 +5,7 @@ import { nameAndMessage } from "./failures.ts";
 import { limits } from "./limits.ts";
 import { BookError } from "./page_source.ts";
 import { blobWorker, isLoadingData, type PdfLibrary } from "./pdf_runtime.ts";
+import { ProcessorFraction } from "./processor_fraction.ts";
 import { trustedScript } from "./trusted_script.ts";
 
 /** Milliseconds in which a worker has to report that it has started. */
@@ -27,7 +28,7 @@ const looks = 12;
 /** What is awaited of a worker. */
 interface Job {
   readonly reject: (failure: Error) => void;
-  /** Milliseconds that it may take, and those that it has taken. */
+  /** Milliseconds of a processor that it may take, and those that it has taken. */
   readonly most: number;
   taken: number;
 }
@@ -55,6 +56,7 @@ export class PdfThread {
    */
   waitsForOthers = false;
   readonly #waiting = new Set<Job>();
+  readonly #fraction: Pick<ProcessorFraction, "measure" | "stop">;
   /** Steps of drawing that have come, by their list. */
   readonly #steps = new Map<unknown, number>();
   #hasStarted = false;
@@ -62,8 +64,9 @@ export class PdfThread {
   #failure: Error | null = null;
   readonly #timer: ReturnType<typeof setTimeout>;
 
-  private constructor(thread: Worker) {
+  private constructor(thread: Worker, fraction: Pick<ProcessorFraction, "measure" | "stop">) {
     this.#thread = thread;
+    this.#fraction = fraction;
     this.#timer = setTimeout(() => {
       this.#fail(new WorkerNotStarted("It gave no sign of life."), true);
     }, startingTime);
@@ -93,12 +96,17 @@ export class PdfThread {
    * @param library pdf.js itself, which is compiled while the worker's script is
    * @param address the worker's script on the page's own site, if it may not be
    * a blob
+   * @param fraction measures how much of a processor the worker gets
    */
-  static async start(library: Promise<PdfLibrary>, address?: string): Promise<PdfThread> {
+  static async start(
+    library: Promise<PdfLibrary>,
+    address?: string,
+    fraction: Pick<ProcessorFraction, "measure" | "stop"> = new ProcessorFraction(),
+  ): Promise<PdfThread> {
     const script = address ?? (await blobWorker());
     let thread: PdfThread;
     try {
-      thread = new PdfThread(new Worker(trustedScript(script), { type: "module" }));
+      thread = new PdfThread(new Worker(trustedScript(script), { type: "module" }), fraction);
     } catch (error) {
       throw new WorkerNotStarted(nameAndMessage(error));
     }
@@ -129,7 +137,7 @@ export class PdfThread {
    * Resolves as `promise` does, or rejects as soon as the worker fails. Rejects with a `WorkerStalled` once
    * the worker takes too long for it, or for anything else that is pending.
    *
-   * @param most milliseconds that it may take
+   * @param most milliseconds of a processor that it may take
    */
   orFailed<T>(promise: Promise<T>, most: number = limits.pdfTime): Promise<T> {
     return new Promise((resolve, reject) => {
@@ -149,6 +157,7 @@ export class PdfThread {
   /** Ends the worker at once. */
   readonly stop = (): void => {
     clearTimeout(this.#timer);
+    this.#fraction.stop();
     this.#worker?.destroy();
     this.#thread.terminate();
   };
@@ -173,19 +182,24 @@ export class PdfThread {
 
   /**
    * Looks from time to time how long each job has taken. Time in which the page itself stood still, or the
-   * device slept, counts as one look.
+   * device slept, counts as one look; time in which the machine was busy with other things counts as much as
+   * a worker got of it.
    */
   #watch(): void {
     if (this.#isWatched || this.#waiting.size === 0) return;
     this.#isWatched = true;
     const lookEvery = limits.pdfTime / looks;
-    AbortSignal.timeout(lookEvery).addEventListener("abort", () => {
-      this.#isWatched = false;
+    AbortSignal.timeout(lookEvery).addEventListener("abort", async () => {
       if (this.#hasStarted && !this.waitsForOthers && !isLoadingData()) {
-        for (const job of this.#waiting) job.taken += lookEvery;
-        const isLate = [...this.#waiting].some(({ taken, most }) => taken >= most);
+        const jobs = [...this.#waiting];
+        // Most jobs have ended before a second look.
+        const isLong = jobs.some(({ taken }) => taken > 0);
+        const given = lookEvery * (isLong ? await this.#fraction.measure() : 1);
+        for (const job of jobs) job.taken += given;
+        const isLate = jobs.some((job) => this.#waiting.has(job) && job.taken >= job.most);
         if (isLate) this.#fail(new WorkerStalled("It takes too long."), true);
       }
+      this.#isWatched = false;
       this.#watch();
     });
   }

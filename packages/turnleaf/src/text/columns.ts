@@ -5,6 +5,10 @@ import type { PageSize, TextRun } from "../sources/page_source.ts";
 /** Fraction of the width of all text up to which a column is one of several: two with a gutter take less than half each. */
 const widest = 0.6;
 
+/** Pieces of lines of a page at which columns are looked for, and the fraction of them that stand in a column. */
+const mostLooked = 64;
+const leastPart = 1 / 8;
+
 /** Where something begins and ends across a page, in the unit of its runs. */
 interface Extent {
   readonly from: number;
@@ -28,14 +32,39 @@ export function columnAt(
   size: PageSize,
   at: { readonly x: number; readonly y: number },
 ): Extent | null {
-  const pieces = piecesOf(
-    runs.filter(({ angle, vertical, text }) => angle === 0 && !vertical && text.trim() !== ""),
-  );
+  const pieces = piecesOf(runs);
   const [x, y] = [at.x * size.width, at.y * size.height];
   const far = (piece: LinePiece): number =>
     Math.hypot(outside(x, piece.from, piece.to), outside(y, piece.top, piece.bottom));
   const [nearest] = [...pieces].sort((a, b) => far(a) - far(b));
-  if (nearest === undefined) return null;
+  return nearest === undefined ? null : columnOf(nearest, pieces, size);
+}
+
+/**
+ * Returns where the columns of a page's text begin and end, from left to right, as fractions of its width;
+ * none if it is in one.
+ */
+export function columnsOf(runs: readonly TextRun[], size: PageSize): readonly Extent[] {
+  const pieces = piecesOf(runs);
+  const every = Math.ceil(pieces.length / mostLooked);
+  const looked = pieces.filter((_, k) => k % every === 0);
+  /** Columns that were found, each with those that overlap it. */
+  const groups: Extent[][] = [];
+  for (const piece of looked) {
+    const column = columnOf(piece, pieces, size);
+    if (!column) continue;
+    const group = groups.find(([first]) => first && overlap(first, column) > 0);
+    if (group) group.push(column);
+    else groups.push([column]);
+  }
+  const columns = groups
+    .filter(({ length }) => length >= leastPart * looked.length)
+    .map((group) => group.sort((a, b) => width(a) - width(b))[group.length >> 1] as Extent);
+  return columns.length > 1 ? columns.sort((a, b) => a.from - b.from) : [];
+}
+
+/** Returns the column in which a piece of a line stands; null if it is the only one there. */
+function columnOf(nearest: LinePiece, pieces: readonly LinePiece[], size: PageSize): Extent | null {
   const along = pieces.filter((piece) => overlap(piece, nearest) > 0);
   // Headings and last lines are wider and narrower than most.
   const column = along.sort((a, b) => width(a) - width(b))[along.length >> 1] as LinePiece;
@@ -45,10 +74,12 @@ export function columnAt(
   return { from: column.from / size.width, to: column.to / size.width };
 }
 
-/** Joins runs that stand beside each other on one line. */
+/** Joins level runs that stand beside each other on one line. */
 function piecesOf(runs: readonly TextRun[]): LinePiece[] {
   const pieces: LinePiece[] = [];
-  const sorted = [...runs].sort((a, b) => a.y - b.y || a.x - b.x);
+  const sorted = runs
+    .filter(({ angle, vertical, text }) => angle === 0 && !vertical && text.trim() !== "")
+    .sort((a, b) => a.y - b.y || a.x - b.x);
   for (const { x, y, width, height } of sorted) {
     const index = pieces.findLastIndex(
       (piece) =>

@@ -14,12 +14,11 @@ const beyond = 0.08;
 /** Number of pieces in which a mark that does not lie flat is laid. */
 const mostPieces = 8;
 
-/** A page's text, and that of the pages beside it, with which its first paragraph and its last may be one. */
-export interface MarkedText {
-  readonly runs: readonly TextRun[];
-  readonly before: readonly TextRun[];
-  readonly after: readonly TextRun[];
-}
+/**
+ * Consecutive pages of text, by their numbers, in order: one on which places are marked, and those around it
+ * with which its first paragraph and its last are one.
+ */
+export type MarkedTexts = ReadonlyMap<number, readonly TextRun[]>;
 
 /**
  * Returns the marks of a page, none if it has no hit.
@@ -28,26 +27,28 @@ export interface MarkedText {
  * @csspart mark-here The one of them that is shown.
  */
 export function layMarks(
-  { runs, before, after }: MarkedText,
-  shown: ShownHit | null,
+  texts: MarkedTexts,
+  shown: ShownHit,
   page: number,
   project: Project,
 ): HTMLElement[] {
-  if (shown === null) return [];
-  const lay = (stretches: readonly Stretch[], from: number, index: number): HTMLElement[] => {
-    const isStrong = from === shown.page && index === shown.index;
-    return stretches.flatMap((stretch) => layStretch(runs, stretch, isStrong, project));
-  };
-  const marks = findFrom(runs, after, shown.query).flatMap((stretches, index) => {
-    const here = stretches.filter(({ run }) => run < runs.length);
-    return lay(here, page, index);
+  const runs = texts.get(page) ?? [];
+  const pages = [...texts];
+  return pages.flatMap(([from], k) => {
+    if (from > page) return [];
+    const following = pages.slice(k).map(([, text]) => text);
+    const before = pages
+      .slice(k)
+      .reduce((sum, [at, text]) => sum + (at < page ? text.length : 0), 0);
+    return findFrom(following, shown.query).flatMap((stretches, index) => {
+      const isStrong = from === shown.page && index === shown.index;
+      return stretches
+        .filter(({ run }) => run >= before && run < before + runs.length)
+        .flatMap((stretch) =>
+          layStretch(runs, { ...stretch, run: stretch.run - before }, isStrong, project),
+        );
+    });
   });
-  const rests = findFrom(before, runs, shown.query).flatMap((stretches, index) => {
-    const here = stretches.filter(({ run }) => run >= before.length);
-    const own = here.map((stretch) => ({ ...stretch, run: stretch.run - before.length }));
-    return lay(own, page - 1, index);
-  });
-  return [...rests, ...marks];
 }
 
 function layStretch(

@@ -98,7 +98,9 @@ class Paragraph {
     this.isEnded = run.end && !(run.wraps && next);
     const end = run.end ? endOf(run, next) : null;
     this.pieces.append(...pieces, ...(end ? [end] : []));
-    this.#text += run.text.replaceAll("\u00ad", "") + (end?.textContent ?? "");
+    // A word that a page's end divides is read where it begins.
+    const read = run.text.slice(run.wordEndLength ?? 0) + (run.wordEnd ?? "");
+    this.#text += read.replaceAll("\u00ad", "") + (end?.textContent ?? "");
     for (const corner of [place(0, 0), place(1, 0), place(0, 1), place(1, 1)]) {
       if (!corner) continue;
       this.#left = Math.min(this.#left, corner.x);

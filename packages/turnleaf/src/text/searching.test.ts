@@ -125,7 +125,25 @@ describe("a search", () => {
     expect(await places("heard")).toHaveLength(1);
     expect(await places("there the end")).toEqual([]);
     const [hit] = await search(source, "always");
-    expect(hit?.after).toBe(" the woman. I have seldom, in Bo");
+    expect(hit?.after).toBe(" the woman. I have seldom, in Bohemia, heard …");
+  });
+
+  it("finds what crosses several pages, where those between have few words", async () => {
+    const { source } = sourceOf([
+      wrapped("I had seen"),
+      wrapped("little of"),
+      wrapped("Holmes"),
+      lines("lately.", "My marriage"),
+      lines("little of"),
+      lines("Holmes lately"),
+    ]);
+    const places = async (query: string): Promise<unknown[]> =>
+      (await search(source, query)).map((hit) => [hit.page, hit.index, hit.before, hit.text]);
+    const phrase = "seen little of Holmes lately";
+    expect(await places(phrase)).toEqual([[1, 0, "I had ", phrase]]);
+    expect(await places("of holmes lately")).toEqual([[2, 0, "little ", "of Holmes lately"]]);
+    const [hit] = await search(source, "I had");
+    expect(hit?.after).toBe(" seen little of Holmes lately. My marriage");
   });
 
   it("joins no page with one that does not lie next to it", async () => {

@@ -16,7 +16,7 @@ export interface SearchHit {
   /** The text that was found, as the page writes it. */
   readonly text: string;
   /**
-   * The text after it, likewise, on the next page too if a paragraph goes on there; ends with " …" if there
+   * The text after it, likewise, on the next pages too if a paragraph goes on there; ends with " …" if there
    * is more.
    */
   readonly after: string;
@@ -37,7 +37,7 @@ export interface Stretch {
 const longestQuery = 200;
 const mostHits = 2000;
 
-/** Maximum of characters of a page's beginning in which a place that begins on the page before may end. */
+/** Maximum of characters of the pages after a page in which a place that begins on it may end. */
 const longestHead = 4 * longestQuery;
 
 /** Characters of context around a hit. */
@@ -65,31 +65,33 @@ export async function searchBook(
   signal.throwIfAborted();
   const hits: SearchHit[] = [];
   if (foldQuery(query.slice(0, longestQuery)) === "") return hits;
-  const searchPage = ({ page, runs }: ReadPage, next: readonly TextRun[]): void => {
-    const joined = withNext(runs, next);
-    const here = findFrom(runs, next, query)
+  /** Pages in which places begin that may end on a page to come: each but the last goes on on the next one. */
+  let waiting: ReadPage[] = [];
+  const searchFirst = (): void => {
+    const [first, ...rest] = waiting;
+    waiting = rest;
+    if (!first) return;
+    const around = [first.runs, ...rest.map(({ runs }) => runs)];
+    const joined = joinPages(around);
+    const here = findFrom(around, query)
       .slice(0, mostHits - hits.length)
-      .map((stretches, index) => hitOn(page, contextOf(joined, stretches), query, index));
+      .map((stretches, index) => hitOn(first.page, contextOf(joined, stretches), query, index));
     if (here.length === 0) return;
     hits.push(...here);
     found(here);
   };
   let read = 0;
-  /** A page whose last paragraph goes on, and which is searched with the next one. */
-  let waiting: ReadPage | null = null;
   for await (const page of pages) {
     if (++read % pagesAtOnce === 0) await new Promise((resolve) => setTimeout(resolve));
     const runs = await texts.of(page, signal);
     signal.throwIfAborted();
-    if (waiting) searchPage(waiting, isNext(waiting.page, page) ? runs : []);
-    waiting = { page, runs };
-    if (!goesOn(runs)) {
-      searchPage(waiting, []);
-      waiting = null;
-    }
+    const last = waiting.at(-1);
+    if (last && !isNext(last.page, page)) while (waiting.length > 0) searchFirst();
+    waiting.push({ page, runs });
+    while (waiting.length > 0 && !mayGoOn(waiting.map((one) => one.runs))) searchFirst();
     if (hits.length === mostHits) break;
   }
-  if (waiting) searchPage(waiting, []);
+  while (waiting.length > 0) searchFirst();
   // Pages of another source among these come after them.
   return hits.sort((a, b) => a.page - b.page);
 }
@@ -107,16 +109,33 @@ function isNext(page: TextPage, next: TextPage): boolean {
 }
 
 /** Returns whether a page's last paragraph goes on on the next one. */
-function goesOn(runs: readonly TextRun[]): boolean {
+export function goesOn(runs: readonly TextRun[]): boolean {
   return runs.at(-1)?.wraps ?? false;
 }
 
-/** Returns a page's runs, with the beginning of the next one's if a paragraph goes on there. */
-function withNext(runs: readonly TextRun[], next: readonly TextRun[]): readonly TextRun[] {
-  if (!goesOn(runs)) return runs;
-  let [count, letters] = [0, 0];
-  while (count < next.length && letters < longestHead) letters += next[count++].text.length;
-  return [...runs, ...next.slice(0, count)];
+/** Returns whether a place that begins on the first of consecutive pages may end on the page after the last. */
+export function mayGoOn(pages: readonly (readonly TextRun[])[]): boolean {
+  const following = pages.slice(1).flat();
+  return (
+    pages.every(goesOn) && following.reduce((sum, { text }) => sum + text.length, 0) < longestHead
+  );
+}
+
+/**
+ * Returns the runs of the first of consecutive pages, and those of the others in which a place that begins
+ * on it may end: as far as each page goes on on the next one.
+ */
+function joinPages(pages: readonly (readonly TextRun[])[]): readonly TextRun[] {
+  const joined = [...(pages[0] ?? [])];
+  let letters = 0;
+  for (let k = 1; k < pages.length && goesOn(pages[k - 1] ?? []); k++) {
+    for (const run of pages[k] ?? []) {
+      if (letters >= longestHead) return joined;
+      letters += run.text.length;
+      joined.push(run);
+    }
+  }
+  return joined;
 }
 
 /** Returns a hit whose number follows its page. */
@@ -164,15 +183,15 @@ export function findIn(runs: readonly TextRun[], query: string): readonly (reado
 }
 
 /**
- * Returns every place that begins on a page, as `findIn` does; one that ends on the next page has stretches
- * there too, whose runs are counted on from the page's own.
+ * Returns every place that begins on the first of consecutive pages, as `findIn` does; one that ends on
+ * another has stretches there too, whose runs are counted on from page to page.
  */
 export function findFrom(
-  runs: readonly TextRun[],
-  next: readonly TextRun[],
+  pages: readonly (readonly TextRun[])[],
   query: string,
 ): readonly (readonly Stretch[])[] {
-  return findIn(withNext(runs, next), query).filter(([first]) => first.run < runs.length);
+  const count = pages[0]?.length ?? 0;
+  return findIn(joinPages(pages), query).filter(([first]) => first.run < count);
 }
 
 /** Returns the UTF-16 units of the character at a place. */

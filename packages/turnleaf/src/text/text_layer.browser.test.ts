@@ -12,6 +12,7 @@ import { clickMouse, dragMouse, toolSession } from "../for_tests/real_mouse.ts";
 import { awayAndBack, boxIn, fonts, line, openedWhale, spansOf } from "../for_tests/text_books.ts";
 import { tinyEpub } from "../sources/epub/tiny_epub.ts";
 import { tinyPdf } from "../sources/tiny_pdf.ts";
+import { layMarks } from "./page_marks.ts";
 
 let element: TurnleafBook;
 
@@ -94,6 +95,27 @@ test("what crosses a page is copied as one paragraph, its divided word too, and 
   expect(headings.length).toBe(1);
   const rest = root().getElementById(headings[0]?.getAttribute("aria-owns") ?? "");
   expect(rest?.textContent).toBe(right);
+  // Screen readers hear the word whole where it begins, on pages that are open together or alone.
+  const said = (): string[] =>
+    [...root().querySelectorAll<HTMLElement>(".text .spoken")].map(
+      ({ dataset }) => dataset.text?.trim() ?? "",
+    );
+  const isWhole = (texts: string[]): boolean =>
+    words.includes(texts.join(" ")) && texts.every((text) => /^incomprehensibility\d/.test(text));
+  expect(said()).toHaveLength(2);
+  expect(isWhole(said())).toBe(true);
+  element.setAttribute("layout", "single");
+  await settled(element);
+  const alone: string[] = [];
+  for (const page of [2, 3]) {
+    await element.goTo(page);
+    await settled(element);
+    await eventually(() => said().join()).toMatch(/y\d/);
+    alone.push(...said());
+  }
+  expect(isWhole(alone)).toBe(true);
+  element.setAttribute("layout", "spread");
+  await settled(element);
   // Beside other text than its beginning it is a heading of its own.
   await element.goTo(element.pageCount);
   await settled(element);
@@ -151,6 +173,22 @@ test("a phrase that crosses a page is found there, and marked on both pages, tog
   await settled(element);
   await eventually(() => here().length).toBeGreaterThan(0);
   for (const name of ["hyphens", "layout", "lang"]) element.removeAttribute(name);
+});
+
+test("a phrase that begins two pages before is marked on the last of its pages, and on that between", () => {
+  const run = { x: 0, y: 0, width: 100, height: 10, angle: 0, end: true };
+  const texts = new Map([
+    [3, [{ ...run, text: "I had seen", wraps: true }]],
+    [4, [{ ...run, text: "little of", wraps: true }]],
+    [5, [{ ...run, text: "Holmes" }]],
+  ]);
+  const query = "seen little of Holmes";
+  const classes = (page: number, shown: number): string[] =>
+    layMarks(texts, { query, page: shown, index: 0 }, page, (x, y) => ({ x, y })).map(
+      ({ className }) => className,
+    );
+  for (const page of [3, 4, 5]) expect(classes(page, 3)).toEqual(["mark here"]);
+  expect(classes(5, 5)).toEqual(["mark"]);
 });
 
 test("the text is away while a leaf turns, and another lies there afterwards", async () => {

@@ -13,15 +13,16 @@ import type {
   PageSource,
   TextRun,
 } from "../sources/page_source.ts";
-import { columnAt } from "./columns.ts";
+import { columnAt, columnsOf } from "./columns.ts";
 import { boundsOf, cutBoxes, cutRuns } from "./cut_to_page.ts";
 import { NotePopover } from "./note_popover.ts";
 import { type FieldPlace, type FieldValues, makeFields } from "./page_fields.ts";
 import { type LinkActions, makeLinks } from "./page_links.ts";
-import { layMarks, type ShownHit } from "./page_marks.ts";
+import { layMarks, type MarkedTexts, type ShownHit } from "./page_marks.ts";
 import { joinHeadings, layText } from "./page_text.ts";
 import type { PageView } from "./page_view.ts";
 import { layOver, type Project, placeIn } from "./run_place.ts";
+import { goesOn, mayGoOn } from "./searching.ts";
 import { keepSelection } from "./selecting.ts";
 
 /** The contents of an open page. */
@@ -139,6 +140,13 @@ export class TextLayer {
   ): ReturnType<typeof columnAt> {
     const content = this.#contents.get(page);
     return content ? columnAt(content.runs, content.size, at) : null;
+  }
+
+  /** Returns the columns of an open page's text in the order of reading, as `columnsOf` does; none if its text is not known. */
+  columnsOf(page: number): ReturnType<typeof columnsOf> {
+    const content = this.#contents.get(page);
+    const columns = content ? columnsOf(content.runs, content.size) : [];
+    return this.#options.source.direction === "rtl" ? [...columns].reverse() : columns;
   }
 
   /** Reads the open pages again after a change; what is played on one of them is heard first. */
@@ -262,12 +270,27 @@ export class TextLayer {
     for (const page of this.#groups.keys()) {
       const content = this.#contents.get(page);
       if (!content) continue;
-      const { runs } = content;
-      const before = this.#readBeside(page - 1);
-      const after = runs.at(-1)?.wraps ? this.#readBeside(page + 1) : [];
-      const text = { runs, before, after };
-      this.#marks.append(...layMarks(text, this.#shown, page, this.#projectOn(content)));
+      const texts = this.#textsAround(page, content.runs);
+      this.#marks.append(...layMarks(texts, this.#shown, page, this.#projectOn(content)));
     }
+  }
+
+  /** Returns the text of an open page and of those around it in which its first paragraph and its last are, as far as it is known. */
+  #textsAround(page: number, runs: readonly TextRun[]): MarkedTexts {
+    const texts = [runs];
+    let first = page;
+    // A place may begin as far before as one may reach.
+    for (let text = this.#readBeside(first - 1); text; text = this.#readBeside(first - 1)) {
+      if (!mayGoOn([text, ...texts.slice(0, page - first)])) break;
+      first -= 1;
+      texts.unshift(text);
+    }
+    for (let last = page; mayGoOn(texts.slice(page - first)); last++) {
+      const text = this.#readBeside(last + 1);
+      if (!text) break;
+      texts.push(text);
+    }
+    return new Map(texts.map((text, k) => [first + k, text]));
   }
 
   /** Returns the runs of an open page that are known. */
@@ -275,13 +298,14 @@ export class TextLayer {
     return this.#contents.get(page)?.runs ?? [];
   }
 
-  /** Returns the runs of a page beside an open one; none until they are read. */
-  #readBeside(page: number): readonly TextRun[] {
+  /** Returns the runs of a page around an open one; null if there is none, or until they are read. */
+  #readBeside(page: number): readonly TextRun[] | null {
     const { source } = this.#options;
-    if (this.#groups.has(page)) return this.#runsOf(page);
-    if (page < 1 || page > source.pageCount) return [];
+    const open = this.#contents.get(page);
+    if (open) return open.runs;
+    if (this.#groups.has(page) || page < 1 || page > source.pageCount) return null;
     const known = this.#beside.get(page);
-    if (known !== undefined) return known ?? [];
+    if (known !== undefined) return known;
     this.#beside.set(page, null);
     const { signal } = this.#reading;
     source.text?.(page - 1, signal).then(
@@ -289,13 +313,13 @@ export class TextLayer {
         if (signal.aborted) return;
         this.#beside.set(page, runs);
         // The text of a page before an open one matters only if it goes on there.
-        const isJoined = this.#groups.has(page - 1) || runs.at(-1)?.wraps;
+        const isJoined = !this.#groups.has(page + 1) || goesOn(runs);
         if (isJoined && !this.element.hidden) this.#mark();
       },
       // A page that cannot be read is reported where it would be seen.
       () => {},
     );
-    return [];
+    return null;
   }
 
   /** Returns where places of an open page are seen, in the unit of its size. */

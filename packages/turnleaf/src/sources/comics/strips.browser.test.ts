@@ -74,6 +74,33 @@ test("a cut lies where the strip is of one colour, if that is near, which then g
   );
 });
 
+test("a cut with nothing of one colour near lies where it goes through the fewest outlines, and through no line of letters", async () => {
+  const canvas = new OffscreenCanvas(100, 440);
+  const pen = canvas.getContext("2d")!;
+  for (let y = 0; y < 440; y++) {
+    // The frame of a picture at both sides, and its sky.
+    pen.fillStyle = `rgb(${y >> 8} ${y & 255} 128)`;
+    pen.fillRect(0, y, 100, 1);
+    pen.clearRect(2, y, 1, 1);
+    pen.clearRect(97, y, 1, 1);
+    // Letters in rows 104 to 115, about the place of the first cut, and in 216 to 227.
+    if (![104, 216].some((top) => y >= top && y < top + 12)) continue;
+    for (let x = 10; x < 90; x += 4) pen.clearRect(x, y, 2, 1);
+  }
+  const png = new Uint8Array(await (await canvas.convertToBlob()).arrayBuffer());
+  const source = await comic({ "1.png": png });
+  expect(source.pageCount).toBe(4);
+  const seen: number[][] = [];
+  for (let index = 0; index < 4; index++) {
+    const own = await drawn(source, index);
+    seen.push(own.flatMap(([high = 0, low = 0, mark]) => (mark === 128 ? [256 * high + low] : [])));
+  }
+  expect(seen.flat()).toEqual(Array.from({ length: 440 }, (_, y) => y));
+  const cuts = seen.slice(1).map(([first]) => first);
+  // One goes down and the next one up to the nearest rows beside letters; the last one stays.
+  expect(cuts).toEqual([117, 214, 330]);
+});
+
 test("in a comic of pages a strip has pages of their proportions, and the cover stays first", async () => {
   const source = await comic({
     "cover.png": await rows(80, 100),

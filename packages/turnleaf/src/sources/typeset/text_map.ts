@@ -127,7 +127,10 @@ export class TextMap {
       }
     }
     const after = this.#firstAfter(page, runs.at(-1));
-    return runs.map((line, k) => this.#runOf(line, runs[k + 1], runs[k + 1] ?? after, exact));
+    const found = runs.map((line, k) =>
+      this.#runOf(line, runs[k + 1], runs[k + 1] ?? after, exact),
+    );
+    return exact ? withDividedWords(found, runs) : found;
   }
 
   /** Returns where the text goes on after a page, whose last line it is; undefined if the section ends there. */
@@ -498,6 +501,37 @@ function isWithinWord(text: string, at: number): boolean {
 function hasHyphens({ parentElement, ownerDocument }: Text): boolean {
   const view = ownerDocument.defaultView as Window;
   return parentElement !== null && view.getComputedStyle(parentElement).hyphens === "auto";
+}
+
+/** Returns where the word of a piece that is divided at a character ends; that character if none is. */
+function wordEndAt(node: Piece["node"], at: number): number {
+  if (!isText(node)) return at;
+  const text = writtenIn(node);
+  const isDivided =
+    text.charAt(at - 1) === "\u00ad" || (isWithinWord(text, at) && hasHyphens(node));
+  if (!isDivided) return at;
+  const blank = /\s/g;
+  blank.lastIndex = at;
+  return blank.exec(text)?.index ?? text.length;
+}
+
+/** Returns a page's runs with the words that are divided at its beginning and at its end. */
+function withDividedWords(runs: TextRun[], lines: readonly Line[]): TextRun[] {
+  const [first, last] = [lines[0], lines.at(-1)];
+  if (!first || !last) return runs;
+  const begin = wordEndAt(first.node, first.from);
+  // One that begins before the page is read there, however many pages it is on.
+  const isBegunBefore = last.node === first.node && last.to <= begin;
+  const end = isBegunBefore ? last.to : wordEndAt(last.node, last.to);
+  const written = ({ node }: Line, from: number, to: number): string =>
+    isText(node) ? cleanRun(writtenIn(node).slice(from, to)).replaceAll("\u00ad", "") : "";
+  const wordEndLength = written(first, first.from, begin).length;
+  const wordEnd = written(last, last.to, end);
+  return runs.map((run, k) => ({
+    ...run,
+    ...(k === 0 && wordEndLength > 0 ? { wordEndLength } : {}),
+    ...(k === runs.length - 1 && wordEnd !== "" ? { wordEnd } : {}),
+  }));
 }
 
 /** Ends a line with the hyphen that the browser has put there. */
