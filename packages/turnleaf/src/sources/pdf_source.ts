@@ -110,8 +110,8 @@ export class PdfSource implements PageSource {
     if (this.pageCount < 2) return;
     const inTime = AbortSignal.any([signal, AbortSignal.timeout(coverTime)]);
     try {
-      const small = await this.#read(0, "cover", inTime, (page, ended) =>
-        this.#render(page, 0, coverPixels, wholePage, ended),
+      const small = await this.#read(0, "cover", inTime, (page, ended, open) =>
+        this.#render(open, page, 0, coverPixels, wholePage, ended),
       );
       const { width, height } = small;
       const pen = new OffscreenCanvas(width, height).getContext("2d");
@@ -155,8 +155,8 @@ export class PdfSource implements PageSource {
     signal: AbortSignal,
     region: PageBox = wholePage,
   ): Promise<PagePicture> {
-    return await this.#read(index, "page", signal, async (page, ended) => {
-      const draw = () => this.#render(page, index, width, region, ended);
+    return await this.#read(index, "page", signal, async (page, ended, open) => {
+      const draw = () => this.#render(open, page, index, width, region, ended);
       const bitmap = await draw().catch((error: unknown) => {
         if (ended.aborted) throw error;
         // pdf.js's worker may drop a drawing while it frees what other drawings of the page used.
@@ -169,6 +169,7 @@ export class PdfSource implements PageSource {
 
   /** Draws a part of a page once. Rejects with the error of pdf.js. */
   async #render(
+    { thread }: OpenPdf,
     page: PDFPageProxy,
     index: number,
     width: number,
@@ -188,6 +189,10 @@ export class PdfSource implements PageSource {
       viewport: page.getViewport({ scale, offsetX, offsetY }),
       annotationMode: this.#form.isFilled ? modes.ENABLE_STORAGE : modes.ENABLE,
     });
+    task.onContinue = (proceed: () => void) => {
+      thread.noteDrawing();
+      proceed();
+    };
     const cancel = (): void => task.cancel();
     signal.addEventListener("abort", cancel, { once: true });
     try {
@@ -270,18 +275,19 @@ export class PdfSource implements PageSource {
    *
    * @param part what is read of it, which has a time of its own
    *
-   * @param read is given the page, and a signal that its result is not wanted any more
+   * @param read is given the page, a signal that its result is not wanted any more, and the document
    */
   async #read<T>(
     index: number,
     part: string,
     signal: AbortSignal | undefined,
-    read: (page: PDFPageProxy, ended: AbortSignal) => Promise<T>,
+    read: (page: PDFPageProxy, ended: AbortSignal, open: OpenPdf) => Promise<T>,
   ): Promise<T> {
-    const readPage = async ({ document, ended }: OpenPdf) =>
+    const readPage = async (open: OpenPdf) =>
       await read(
-        await document.getPage(index + 1),
-        signal ? AbortSignal.any([signal, ended]) : ended,
+        await open.document.getPage(index + 1),
+        signal ? AbortSignal.any([signal, open.ended]) : open.ended,
+        open,
       );
     // A page that cannot be drawn has its size all the same.
     const whole = part === "size" ? part : "page";

@@ -50,3 +50,45 @@ test("neither the worker nor the renderer warns on the console of what a file ha
   expect(new Set(said)).toEqual(new Set([0]));
   source.close();
 });
+
+/** A worker that has started and sends nothing more. */
+class SilentWorker extends EventTarget {
+  postMessage(): void {}
+  terminate(): void {}
+}
+
+test("a worker is given up once it takes too long; that in which the page draws counts as a quarter", async () => {
+  const workers: SilentWorker[] = [];
+  vi.stubGlobal(
+    "Worker",
+    class extends SilentWorker {
+      constructor() {
+        super();
+        workers.push(this);
+      }
+    },
+  );
+  let look = new AbortController();
+  vi.spyOn(AbortSignal, "timeout").mockImplementation(() => {
+    look = new AbortController();
+    return look.signal;
+  });
+  const library = { PDFWorker: class {}, VerbosityLevel: { ERRORS: 0 } } as unknown as PdfLibrary;
+  /** Returns after how many looks something that does not come is given up. */
+  const looksBefore = async (isDrawn: boolean): Promise<number> => {
+    const thread = await PdfThread.start(Promise.resolve(library));
+    workers.at(-1)?.dispatchEvent(new MessageEvent("message"));
+    let isOver = false;
+    thread.orFailed(new Promise(() => {})).catch(() => {
+      isOver = true;
+    });
+    for (let count = 1; ; count++) {
+      if (isDrawn) thread.noteDrawing();
+      look.abort();
+      await new Promise<void>((resolve) => queueMicrotask(resolve));
+      if (isOver) return count;
+    }
+  };
+  expect(await looksBefore(false)).toBe(12);
+  expect(await looksBefore(true)).toBe(48);
+});

@@ -24,6 +24,9 @@ export class WorkerStalled extends WorkerFailure {}
 /** Looks at what is pending in the time that it may take. */
 const looks = 12;
 
+/** The part of the time in which the page draws what the worker sent that counts as the worker's: all has an end. */
+const drawingPart = 1 / 4;
+
 /** What is awaited of a worker. */
 interface Job {
   readonly reject: (failure: Error) => void;
@@ -59,6 +62,8 @@ export class PdfThread {
   readonly #steps = new Map<unknown, number>();
   #hasStarted = false;
   #isWatched = false;
+  /** Whether the page has drawn since the last look. */
+  #hasDrawn = false;
   #failure: Error | null = null;
   readonly #timer: ReturnType<typeof setTimeout>;
 
@@ -146,6 +151,11 @@ export class PdfThread {
     this.#fail(reason, true);
   }
 
+  /** Notes that the page draws what the worker has sent: it is not the worker that takes this long. */
+  readonly noteDrawing = (): void => {
+    this.#hasDrawn = true;
+  };
+
   /** Ends the worker at once. */
   readonly stop = (): void => {
     clearTimeout(this.#timer);
@@ -173,7 +183,7 @@ export class PdfThread {
 
   /**
    * Looks from time to time how long each job has taken. Time in which the page itself stood still, or the
-   * device slept, counts as one look.
+   * device slept, counts as one look; that in which the page draws, as a part of it.
    */
   #watch(): void {
     if (this.#isWatched || this.#waiting.size === 0) return;
@@ -182,10 +192,12 @@ export class PdfThread {
     AbortSignal.timeout(lookEvery).addEventListener("abort", () => {
       this.#isWatched = false;
       if (this.#hasStarted && !this.waitsForOthers && !isLoadingData()) {
-        for (const job of this.#waiting) job.taken += lookEvery;
+        const passed = lookEvery * (this.#hasDrawn ? drawingPart : 1);
+        for (const job of this.#waiting) job.taken += passed;
         const isLate = [...this.#waiting].some(({ taken, most }) => taken >= most);
         if (isLate) this.#fail(new WorkerStalled("It takes too long."), true);
       }
+      this.#hasDrawn = false;
       this.#watch();
     });
   }
