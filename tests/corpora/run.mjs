@@ -5,13 +5,14 @@
  *   node tests/corpora/run.mjs                       all collections of scripts/corpora.json
  *   node tests/corpora/run.mjs NAME ...              these alone
  *   node tests/corpora/run.mjs --folder FOLDER       the books beneath any folder
- *   --match PATTERN    those alone whose path matches
+ *   --match PATTERN    those alone whose path matches; what was found of others is kept
  *   --every N          every Nth book
+ *   --resume           goes on with a walk: books of which something was found are left out
  *
  * What comes of each collection is written to target/corpora/NAME.json; once all
  * are there, `node tests/corpora/report.mjs` writes docs/reports/corpora.md of them.
  */
-import { existsSync, mkdirSync, writeFileSync } from "node:fs";
+import { existsSync, mkdirSync, readFileSync, renameSync, writeFileSync } from "node:fs";
 import { extname, join } from "node:path";
 import { parseArgs } from "node:util";
 import { corpora } from "../../scripts/corpora.mjs";
@@ -31,6 +32,7 @@ const { values, positionals } = parseArgs({
     folder: { type: "string" },
     match: { type: "string", default: "" },
     every: { type: "string", default: "1" },
+    resume: { type: "boolean", default: false },
   },
 });
 
@@ -139,6 +141,19 @@ const chosen = values.folder
   : Object.values(corpora).filter(
       ({ name }) => positionals.length === 0 || positionals.includes(name),
     );
+/** Returns what an earlier walk found of the books of a collection, by their paths. */
+function foundBefore(file) {
+  if (!(values.resume || values.match) || !existsSync(file)) return new Map();
+  const { books } = JSON.parse(readFileSync(file, "utf8"));
+  return new Map(books.map((row) => [row.path, row]));
+}
+
+/** Writes a file as a whole, so that a walk that is ended meanwhile leaves one that can be read. */
+function writeWhole(file, text) {
+  writeFileSync(`${file}.part`, text);
+  renameSync(`${file}.part`, file);
+}
+
 const results = join(import.meta.dirname, "../../target/corpora");
 mkdirSync(results, { recursive: true });
 for (const { name, folder, folders } of chosen) {
@@ -153,10 +168,12 @@ for (const { name, folder, folders } of chosen) {
   const tried = books
     .filter(({ path }) => pattern.test(path))
     .filter((_, k) => k % Number(values.every) === 0);
-  const rows = [];
+  const file = join(results, `${name}.json`);
+  const rows = foundBefore(file);
   for (const book of tried) {
+    if (values.resume && rows.has(book.path)) continue;
     const found = await judgeBook(book);
-    rows.push({ path: book.path, format: book.format, ...found });
+    rows.set(book.path, { path: book.path, format: book.format, ...found });
     const verdict = found.refused
       ? `refused: ${found.refused}`
       : `${found.pages} pages, ${found.milliseconds?.all} ms, ${found.megabytes} MB`;
@@ -164,8 +181,9 @@ for (const { name, folder, folders } of chosen) {
     for (const fault of (found.faults ?? []).slice(0, 12))
       console.log("   ", JSON.stringify(fault));
     if (found.foreign) console.log("    asked:", found.foreign.slice(0, 3).join(" "));
-    const result = { total: books.length, books: rows };
-    writeFileSync(join(results, `${name}.json`), `${JSON.stringify(result, null, 1)}\n`);
+    // In the collection's order, whichever walk found it.
+    const known = books.flatMap(({ path }) => rows.get(path) ?? []);
+    writeWhole(file, `${JSON.stringify({ total: books.length, books: known }, null, 1)}\n`);
   }
 }
 await opened?.close();

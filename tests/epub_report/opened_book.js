@@ -158,7 +158,10 @@ export class OpenedBook {
     element.style.cssText = `display: block; width: ${width}px; height: ${height}px`;
     for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);
     element.duration = 0;
-    element.pages = this.file;
+    // Text is set for the size in which pages are shown: the pages that are asked about are those.
+    this.source.close();
+    this.source = await openSource(this.file);
+    element.pages = this.source;
     const loaded = new Promise((resolve, reject) => {
       element.addEventListener("load", resolve);
       element.addEventListener("error", ({ detail }) => reject(new Error(detail.message)));
@@ -166,7 +169,7 @@ export class OpenedBook {
     document.body.append(element);
     await loaded;
     // Before every chapter is set, the number of pages is estimated.
-    while (element.pageCount !== this.pageCount) {
+    while (element.estimated || element.pageCount !== this.pageCount) {
       await new Promise((resolve) => setTimeout(resolve, 20));
     }
     return element;

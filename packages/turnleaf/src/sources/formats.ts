@@ -74,6 +74,9 @@ export interface FileFormat {
 const pdfMark = "%PDF-";
 const mostBefore = 1024;
 
+/** What a PDF without its mark begins with: comments, and an object. */
+const firstObject = /^(?:%[^\r\n]{0,99}[\r\n]{1,9}){0,9}\d{1,9} \d{1,5} obj\b/;
+
 /** How many first bytes show the format. */
 export const sniffLength: number = mostBefore + pdfMark.length;
 
@@ -158,7 +161,8 @@ export const formats: readonly FileFormat[] = [
     labels: ["PDF"],
     family: "book",
     endings: ["pdf"],
-    is: ({ text }) => text.includes(pdfMark),
+    // Readers of PDFs read those without it too.
+    is: ({ text, words }) => text.includes(pdfMark) || firstObject.test(words),
     most: limits.pdfBytes,
   },
   {

@@ -26,6 +26,8 @@ export interface FormatOptions extends PdfOptions {
   readonly typography?: Typography;
   /** Base of relative addresses in a file that has no address itself. */
   readonly base: string;
+  /** Whether the file was in an archive: one in that is not opened. */
+  readonly isInArchive?: boolean;
 }
 
 /** What reads files of one kind. Its functions reject with a `BookError`, or with the signal's reason. */
@@ -68,13 +70,17 @@ const packed: FormatReader = {
     const { unpackedFile } = await loadPart(import("./archive/packed_file.ts"));
     const unpacked = await unpackedFile(blob, sniff(file), file.name, options.signal);
     const inner = await fileIn(unpacked, file.name);
-    if (readerOf(sniff(inner)) !== packed) return await openFile(inner, options);
-    throw new BookError(`${file.name} is packed several times over; unpack it first.`, {
-      code: "unsupported",
-      source: file.name,
-    });
+    if (readerOf(sniff(inner)) === packed) throw packedOften(file.name);
+    return await openFile(inner, options);
   },
 };
+
+function packedOften(name: string): BookError {
+  return new BookError(`${name} is packed several times over; unpack it first.`, {
+    code: "unsupported",
+    source: name,
+  });
+}
 
 const readers: Readonly<Record<OpenedKind, FormatReader>> = {
   pdf: {
@@ -201,18 +207,25 @@ export async function openFile(file: BookFile, options: FormatOptions): Promise<
   });
 }
 
-/** Opens the book that the files of an archive are: a comic, if no format says that it is one of its own. */
+/**
+ * Opens the book that the files of an archive are, or the one that is packed in it: a comic, if no format says
+ * that it is one of its own.
+ */
 async function openArchived(
   archive: Archive,
   blob: Blob,
   name: string,
-  { typography }: FormatOptions,
+  options: FormatOptions,
 ): Promise<PageSource> {
   const format = formatOfArchive(archive.names);
   const reader = format && readerOf(format.kind);
-  if (reader?.openArchive) return await reader.openArchive(archive, blob, name, typography);
+  if (reader?.openArchive) return await reader.openArchive(archive, blob, name, options.typography);
+  const openInner = async (file: Blob, own: string): Promise<PageSource> => {
+    if (options.isInArchive) throw packedOften(name);
+    return await openFile(await fileIn(file, own), { ...options, isInArchive: true });
+  };
   const { openComic } = await loadPart(import("./comics/comic.ts"));
-  return await openComic(archive, blob, name);
+  return await openComic(archive, blob, name, openInner);
 }
 
 /** Opens a book of images. */

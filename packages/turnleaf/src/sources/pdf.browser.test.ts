@@ -51,6 +51,15 @@ describe("a PDF", () => {
     expect(await source.size(0)).toEqual({ width: 200, height: 300 });
   });
 
+  it("may begin with a comment and its first object, without a header", async () => {
+    const bytes = tinyPdf({ pages: [red] });
+    // The comment by which programs see that it is no text.
+    bytes.set([0x25, 0xe2, 0xe3, 0xcf, 0xd3, 0x0a, 0x0a, 0x0a, 0x0a]);
+    const source = await open(bytes);
+    expect(source.pageCount).toBe(1);
+    expect(colourAt(await source.draw(0, 50, never), 0.5, 0.5)).toBe("255,0,0");
+  });
+
   it("is named by its file and numbered from 1 where it says nothing", async () => {
     const source = await openTiny({ pages: [red] });
     expect(source.title).toBe("book.pdf");

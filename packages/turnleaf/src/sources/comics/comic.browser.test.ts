@@ -131,13 +131,52 @@ test("an archive without images, and an EPUB, are rejected in a sentence", async
   );
 });
 
-test("an archive within an archive is not opened", async () => {
+test("the book that is packed in an archive is read, and one of several is to be chosen", async () => {
+  const inner = zipSync({ "1.png": await scan(4, 6), "2.png": await scan(4, 6) });
+  const epub = zipSync({
+    mimetype: strToU8("application/epub+zip"),
+    "p.opf": strToU8(
+      `<package xmlns="http://www.idpf.org/2007/opf" version="3.0"><metadata xmlns:dc="http://purl.org/dc/elements/1.1/"><dc:title>Packed</dc:title></metadata><manifest><item id="a" href="a.xhtml" media-type="application/xhtml+xml"/></manifest><spine><itemref idref="a"/></spine></package>`,
+    ),
+    "a.xhtml": strToU8(
+      `<html xmlns="http://www.w3.org/1999/xhtml"><head><title>a</title></head><body><p>Words</p></body></html>`,
+    ),
+  });
+  const titleOf = async (files: Record<string, Uint8Array | string>, name = "shelf.zip") => {
+    const source = await comic(files, zip, name);
+    return [source.title, source.pageCount];
+  };
+  const cover = await scan(4, 6);
+  const litter = { "__MACOSX/._a.epub": "x", "Shelf/.a.epub": "x" };
+  // As a program that sorts books keeps them: one in several formats, its cover and what is known of it.
+  expect(
+    await titleOf({
+      ...{ "Shelf/a.pdf": "%PDF-", "Shelf/a.epub": epub, "Shelf/a.mobi": "x" },
+      ...{ "Shelf/cover.jpg": cover, "Shelf/metadata.opf": "<package/>" },
+      ...litter,
+    }),
+  ).toEqual(["Packed", 1]);
+  expect(await titleOf({ "inner.cbz": inner, "read me.txt": "x" }, "Hero 1.cbz")).toEqual([
+    "inner",
+    2,
+  ]);
+  expect(await titleOf({ "Letter.md": "# A letter\n\nWords" })).toEqual(["A letter", 1]);
+  expect(await messageOf(comic({ "b/Two.epub": epub, "One.cbz": inner }, zip, "shelf.zip"))).toBe(
+    "shelf.zip holds several books; unpack it and open one of them, such as Two.epub.",
+  );
+});
+
+test("an archive in one that is in an archive is not opened, nor one beside a comic's pages", async () => {
   const inner = zipSync({ "1.png": await scan(4, 6) });
-  expect(await messageOf(comic({ "inner.zip": inner, "inner.cbz": inner }))).toBe(
+  const twice = zipSync({ "inner.cbz": inner });
+  expect(await messageOf(comic({ "twice.cbz": twice }))).toBe(
+    "twice.cbz is packed several times over; unpack it first.",
+  );
+  expect(await messageOf(comic({ "inner.zip": inner }))).toBe(
     "Hero 1.cbz has no pages: no file in it is a book or an image; open another.",
   );
-  const source = await comic({ "1.png": await scan(4, 6), "inner.cbz": inner });
-  expect(source.pageCount).toBe(1);
+  const pages = { "1.png": await scan(4, 6), "2.png": await scan(4, 6) };
+  expect((await comic({ ...pages, "inner.cbz": inner })).pageCount).toBe(2);
 });
 
 test("a page that is cut off or claims 50,000 x 50,000 pixels fails alone", async () => {
@@ -190,7 +229,7 @@ test.each(packers)("%s is a comic as one in a ZIP is", async (name, pack) => {
 });
 
 test.each(packers)("%s without images, or with a page that is damaged", async (name, pack) => {
-  expect(await messageOf(comic({ "a.txt": "a" }, pack, name))).toBe(
+  expect(await messageOf(comic({ "a.nfo": "a" }, pack, name))).toBe(
     `${name} has no pages: no file in it is a book or an image; open another.`,
   );
   const page = await scan(40, 60);
@@ -245,6 +284,26 @@ test.each(["表紙.png", "Обложка.png", "Couverture.png"])(
     expect((await source.size(0)).width).toBe(48);
   },
 );
+
+test("covers stand at the ends of their folders", async () => {
+  const page = await scan(4, 6);
+  const names = [
+    ...["Back Cover.png", "v1/002.png", "v1/back_cover.png", "v1/cover.png", "v1/extra/001.png"],
+    ...["v2/001.png", "v2/backcover.png", "v2/Cover.png", "zz credits.png"],
+  ];
+  // The width of a page says which it is.
+  const images = await Promise.all(
+    names.map(async (name, k) => [name, await scan(10 + 2 * k, 30)]),
+  );
+  const source = await comic({ ...Object.fromEntries(images), "cover.png": page });
+  const sizes = await Promise.all(
+    Array.from({ length: source.pageCount }, (_, index) => source.size(index)),
+  );
+  expect(sizes.map(({ width }) => (width === 4 ? "cover.png" : names[(width - 10) / 2]))).toEqual([
+    ...["cover.png", "v1/cover.png", "v1/002.png", "v1/extra/001.png", "v1/back_cover.png"],
+    ...["v2/Cover.png", "v2/001.png", "v2/backcover.png", "zz credits.png", "Back Cover.png"],
+  ]);
+});
 
 test("a ComicInfo.xml in which an element has no end is read", async () => {
   const address = new URL("./fixtures/c06-unclosed.cbz", import.meta.url);

@@ -1,6 +1,8 @@
 /** Comics: archives of images, in the natural order of their names. */
 
 import type { Archive } from "../archive/archive.ts";
+import { type OpenInner, openInnerBook } from "../archive/inner_books.ts";
+import { isLitter } from "../archive/litter.ts";
 import { cleanText } from "../book_text.ts";
 import { decodeText } from "../decode_text.ts";
 import {
@@ -30,10 +32,6 @@ import { withDigits } from "./written_numbers.ts";
 /** Returns whether a name says that a file is an image. */
 const isImageName = (name: string): boolean => formatOfName(name)?.kind === "image";
 
-/** What systems and shared drives leave in archives beside their pages: folders and hidden files. */
-const junk =
-  /^(\.|__MACOSX$|@eaDir$|@__thumb$|#recycle$|\$RECYCLE\.BIN$|lost\+found$|System Volume Information$)/i;
-
 /** Files that are no pages, whatever is in them. */
 const otherName = /\.(xml|txt|nfo|html?|json|md|db|ini|url|opf|ncx|css|js|sfv|acbf|zip|rar|7z)$/i;
 
@@ -44,6 +42,10 @@ const isArchiveName = (name: string): boolean =>
 /** The name of a front cover, in several languages, which stands before its first page in any order of names. */
 const coverName =
   /^((front[ _.-]?)?cover([ _.-]?(front|0{0,3}1?))?|表紙|封面|표지|обложка|couverture|portada|copertina|capa|omslag|okładka|titelbild|umschlag)$/i;
+
+/** The name of a back cover, which stands behind the last page. */
+const backCoverName =
+  /^(back[ _.-]?cover|cover[ _.-]?back|裏表紙|封底|뒤표지|contraportada|contracapa|quarta di copertina|quatrième de couverture)$/i;
 
 /**
  * Bytes of an image in which its size is searched for, and then, if its camera wrote much before that; and
@@ -69,14 +71,22 @@ const infoBytes = 4_000_000;
 const [leastDouble, mostDouble] = [1.6, 2.5];
 
 /**
- * Returns the book that an archive of images is. It closes the archive. Rejects
- * with a `BookError` if there are no images in it.
+ * Returns the book that an archive of images is, or the one that is packed in it. It closes the archive.
+ * Rejects with a `BookError` if there is neither in it.
  *
  * @param file the archive as it came
  * @param name the archive's name in sentences
+ * @param openInner opens a book that is packed in it
  */
-export async function openComic(archive: Archive, file: Blob, name: string): Promise<PageSource> {
+export async function openComic(
+  archive: Archive,
+  file: Blob,
+  name: string,
+  openInner: OpenInner,
+): Promise<PageSource> {
   try {
+    const inner = await openInnerBook(archive, name, openInner);
+    if (inner) return inner;
     const warnings = new WarningList();
     const budget = { bytes: mostUnpacked };
     const leftOut = (path: string): void => warnings.add(warningOf("page", path, name));
@@ -94,7 +104,7 @@ export async function openComic(archive: Archive, file: Blob, name: string): Pro
       warnings.add(warningOf("contents", path, name));
     });
     await checkReadable(archive, files);
-    const scans = coverFirst(await measureAll(archive, files, info, budget, name));
+    const scans = coversAtEnds(await measureAll(archive, files, info, budget, name));
     const { format, images } = await layOutStrips(scans.map(stripImageOf));
     const pages: Page[] = [];
     for (const [k, scan] of scans.entries()) {
@@ -170,7 +180,7 @@ async function pagesIn(
   budget: Budget,
   leftOut: (path: string) => void,
 ): Promise<string[]> {
-  const names = archive.names.filter((name) => !name.split("/").some((step) => junk.test(step)));
+  const names = archive.names.filter((name) => !isLitter(name));
   const images = names.filter((name) => isImageName(name));
   // Where names say nothing, the bytes do.
   const unnamed = names.filter((name) => !isImageName(name) && !otherName.test(name));
@@ -197,18 +207,41 @@ export function inOrder(names: readonly string[]): string[] {
   return paths.map(({ name }) => name);
 }
 
-/** Returns whether a scan's own name says that it is the front cover. */
-function isNamedCover({ path }: Scan): boolean {
-  return coverName.test((path.split("/").pop() ?? "").replace(/\.[^.]*$/, "").normalize("NFC"));
-}
+const nameOf = (path: string): string =>
+  (path.split("/").pop() ?? "").replace(/\.[^.]*$/, "").normalize("NFC");
 
-/** Returns scans with the front cover before all others, if ComicInfo.xml or its own name says that it is one. */
-function coverFirst(scans: readonly Scan[]): readonly Scan[] {
-  const cover = scans.find(({ isFront }) => isFront) ?? scans.find(isNamedCover);
-  const ordered = cover ? [cover, ...scans.filter((scan) => scan !== cover)] : scans;
-  return ordered.map((scan, index) => ({
+const folderOf = (path: string): string => path.slice(0, path.lastIndexOf("/") + 1);
+
+/** Returns whether a scan's own name says that it is the front cover. */
+const isNamedCover = ({ path }: Scan): boolean => coverName.test(nameOf(path));
+
+/** Returns whether a scan's own name says that it is the back cover. */
+const isNamedBack = ({ path }: Scan): boolean => backCoverName.test(nameOf(path));
+
+/**
+ * Returns scans with the front cover before all others, if ComicInfo.xml or its own name says that it is one,
+ * and with other covers at the ends of their folders.
+ */
+function coversAtEnds(scans: readonly Scan[]): readonly Scan[] {
+  const ordered = [...scans];
+  const move = (scan: Scan, to: (isBeside: (other: Scan) => boolean) => number): void => {
+    const isBeside = ({ path }: Scan): boolean => path.startsWith(folderOf(scan.path));
+    const at = to(isBeside);
+    ordered.splice(ordered.indexOf(scan), 1);
+    ordered.splice(at, 0, scan);
+  };
+  // The first of several comes first.
+  for (const scan of scans.filter(isNamedCover).reverse()) {
+    move(scan, (isBeside) => ordered.findIndex(isBeside));
+  }
+  for (const scan of scans.filter(isNamedBack)) {
+    move(scan, (isBeside) => ordered.findLastIndex(isBeside));
+  }
+  const cover = scans.find(({ isFront }) => isFront) ?? ordered.find(isNamedCover);
+  const all = cover ? [cover, ...ordered.filter((scan) => scan !== cover)] : ordered;
+  return all.map((scan, index) => ({
     ...scan,
-    isCover: index === 0 || index === ordered.length - 1,
+    isCover: index === 0 || index === all.length - 1,
   }));
 }
 
@@ -353,9 +386,8 @@ async function sizeOf(
 /** Returns a scan as it may be a slice of a strip. */
 function stripImageOf(scan: Scan): StripImage {
   const { path, image, size } = scan;
-  const folder = path.slice(0, path.lastIndexOf("/") + 1);
-  const isCover = scan.isFront || isNamedCover(scan);
-  return { src: image, size, isPlain: true, folder: isCover ? null : folder };
+  const isCover = scan.isFront || isNamedCover(scan) || isNamedBack(scan);
+  return { src: image, size, isPlain: true, folder: isCover ? null : folderOf(path) };
 }
 
 interface Page {

@@ -67,3 +67,31 @@ test("a chapter that is listed and missing, or of a foreign type, is a page that
     "this book has a chapter “none” of which it names no file; get the book again.",
   ]);
 });
+
+test.each([
+  '<img srcset="blue.png 2x" alt="a"/>',
+  '<img srcset=" none.png 1x,\n blue.png 480w, none.png" alt="a"/>',
+  '<img srcset="none.png, blue.png," alt="a"/>',
+  '<img srcset="none.png 1x,blue.png 2x" alt="a"/>',
+  '<img src="none.png" srcset="blue.png 2x" alt="a"/>',
+  '<picture><source srcset="blue.png" media="print"/><img src="none.png" alt="a"/></picture>',
+  '<picture><source srcset="none.webp" type="image/webp"/><img src="blue.png" alt="a"/></picture>',
+])("a picture is found by any of its addresses: %s", async (markup) => {
+  const pen = new OffscreenCanvas(200, 200).getContext("2d")!;
+  pen.fillStyle = "#00f";
+  pen.fillRect(0, 0, 200, 200);
+  const blue = new Uint8Array(await (await pen.canvas.convertToBlob()).arrayBuffer());
+  const source = await laidOut(
+    tinyEpub({
+      chapters: [`<p>Before.</p>${markup}`],
+      files: { "blue.png": blue },
+    }),
+  );
+  const drawn = (await source.draw(0, 100, never)) as ImageBitmap;
+  const page = new OffscreenCanvas(drawn.width, drawn.height).getContext("2d")!;
+  page.drawImage(drawn, 0, 0);
+  const { data } = page.getImageData(0, 0, drawn.width, drawn.height);
+  const isBlue = (k: number): boolean => (data[k] ?? 255) < 60 && (data[k + 2] ?? 0) > 200;
+  expect(data.some((_, k) => k % 4 === 0 && isBlue(k))).toBe(true);
+  expect(source.warnings).toEqual([]);
+});

@@ -393,6 +393,21 @@ test("a view's lengths are those of the type area", async () => {
   expect(half?.x).toBeCloseTo(53 + (width - 106) / 2, 0);
 });
 
+test.each([
+  "width: 100vw; padding: 1em; height: 60vh",
+  "width: 120%; height: 60vh",
+  "width: 100%; height: 60vh; border: 9px solid #000; margin-left: 1px",
+  "width: 900px; height: 200vh",
+])("a box in which nothing is keeps its background, however wide: %s", async (style) => {
+  const chapters = [`<div style="${style}; background: #000"></div><p>after</p>`];
+  const source = await laidOutEpub({ chapters });
+  const picture = (await source.draw(0, 100, never)) as ImageBitmap;
+  const pen = new OffscreenCanvas(picture.width, picture.height).getContext("2d")!;
+  pen.drawImage(picture, 0, 0);
+  expect(pen.getImageData(50, 60, 1, 1).data[0]).toBeLessThan(9);
+  expect(letters((await pagesOf(source)).join(""))).toBe("after");
+});
+
 test.each(["horizontal-tb", "vertical-rl"])(
   "lines with ruby are where they are laid, %s",
   async (mode) => {
@@ -474,6 +489,7 @@ test.each([
     "a box put to the left of the next page",
     '<p style="position: relative; left: 600px">moved</p>',
   ],
+  ["an open dialog", `${prose(2)}<dialog open="" style="border: 0">asked</dialog>${prose(4)}`],
   ["a box put far below its page", '<p style="position: absolute; top: 3000px">far below</p>'],
   ["a box put far beside its page", '<p style="position: absolute; left: 2000px">far beside</p>'],
   [

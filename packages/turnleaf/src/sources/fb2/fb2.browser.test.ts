@@ -74,6 +74,14 @@ test("it is read from a ZIP, in UTF-16 and in windows-1251", async () => {
   }
 });
 
+test("a title without paragraphs is one, and in the contents", async () => {
+  const chapters =
+    "<section><title>A <emphasis>bare</emphasis> title</title><p>words</p></section>";
+  const source = await openSource(new Blob([tinyFb2(chapters)]));
+  expect((await source.outline?.(never))?.map(({ title }) => title)).toEqual(["A bare title"]);
+  source.close();
+});
+
 test("without a declaration its encoding is found by its letters, whatever pictures are in it", async () => {
   const picture = `<binary id="a" content-type="image/png">${"\nAbCd09+/wXyZ".repeat(4).replaceAll("\n", "").padEnd(76, "q").concat("\n").repeat(800)}</binary>`;
   const text = tinyFb2(

@@ -226,7 +226,7 @@ function readPlaces(parts: readonly Part[]): {
 
 function titleOf(section: Element): string {
   const title = childOf(section, "title");
-  return title ? cleanText([...title.children].map((p) => p.textContent).join(" ")) : "";
+  return title ? cleanText([...title.childNodes].map((p) => p.textContent).join(" ")) : "";
 }
 
 async function load(

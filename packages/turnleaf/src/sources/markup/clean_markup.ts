@@ -114,8 +114,8 @@ export async function cleanMarkup(
     if (address !== "") element.before(placeOfLost(element, "embedded", address, files));
   }
   placeScripted(root, files);
-  for (const element of root.querySelectorAll(unshown)) element.remove();
   await inlinePictures(root, files);
+  for (const element of root.querySelectorAll(unshown)) element.remove();
   for (const element of [root, ...root.querySelectorAll("*")]) {
     if (!element.hasAttributes()) continue;
     const meaning = element.getAttribute("epub:type");
@@ -366,14 +366,52 @@ async function drawFrame(frame: Element, files: MarkupFiles): Promise<void> {
   frame.replaceWith(image);
 }
 
+/** Addresses of one picture that are tried: as many as an author gives for screens of several kinds. */
+const mostAddresses = 20;
+
+/** Returns the addresses of a picture's file: its own, then those that are given for some screens, as they may be all there is. */
+function addressesOf(image: Element): readonly string[] {
+  const linked = image.getAttributeNS(xlink, "href");
+  const own = image.getAttribute("src") ?? image.getAttribute("href") ?? linked ?? "";
+  const { parentElement } = image;
+  const others = parentElement?.localName === "picture" ? parentElement.children : [];
+  const sets = [image, ...others].map((one) => one.getAttribute("srcset") ?? "");
+  const addresses = [own, ...sets.flatMap(candidatesOf)].filter((address) => address.trim() !== "");
+  return addresses.slice(0, mostAddresses);
+}
+
+/** Returns the addresses in a `srcset`, as browsers read it: after each there is a comma, or what it is for up to one. */
+function candidatesOf(srcset: string): readonly string[] {
+  const addresses: string[] = [];
+  let rest = srcset.replace(/^[\s,]+/, "");
+  while (rest !== "" && addresses.length < mostAddresses) {
+    const length = rest.search(/\s/);
+    let address = length < 0 ? rest : rest.slice(0, length);
+    rest = rest.slice(address.length);
+    if (!address.endsWith(",")) {
+      const comma = rest.indexOf(",");
+      rest = comma < 0 ? "" : rest.slice(comma);
+    }
+    while (address.endsWith(",")) address = address.slice(0, -1);
+    addresses.push(address);
+    rest = rest.replace(/^[\s,]+/, "");
+  }
+  return addresses;
+}
+
 async function inlinePictures(root: Element, files: MarkupFiles): Promise<void> {
   for (const image of root.querySelectorAll("img, image, input[src]")) {
-    const linked = image.getAttributeNS(xlink, "href");
-    const given = image.getAttribute("src") ?? image.getAttribute("href") ?? linked ?? "";
+    const addresses = addressesOf(image);
     for (const name of ["src", "srcset", "sizes", "href", "loading"]) image.removeAttribute(name);
     image.removeAttributeNS(xlink, "href");
+    let [given = ""] = addresses;
     if (given === "") continue;
-    const data = await files.data(given);
+    let data = await files.data(given);
+    for (const other of addresses.slice(1)) {
+      if (data !== null) break;
+      data = await files.data(other);
+      if (data !== null) given = other;
+    }
     // One that is there may still turn out to be damaged.
     image.setAttribute(sourceAttribute, files.nameOf?.(given) ?? given);
     if (data === null) image.setAttribute(lostAttribute, "image");

@@ -165,7 +165,23 @@ function wholeChange(
   }
   // The section's own style has pictures fit, unless they may not be smaller.
   if (replaced.test(box.localName)) return { "min-inline-size": "0", "min-block-size": "0" };
-  return isWide && isPlacing(box, style) ? scaledDown(box, area) : null;
+  if (isWide && isPlacing(box, style)) return scaledDown(box, area);
+  return isBare(box) ? bareBox(style, area) : null;
+}
+
+/** Returns whether nothing is in a box, which shows its background alone. */
+function isBare(box: HTMLElement): boolean {
+  const shown = "img, svg, math, video, canvas, object, input, meter, progress, hr";
+  return !box.textContent?.trim() && !box.matches(shown) && !box.querySelector(shown);
+}
+
+/** Returns the styles by which a box in which nothing is fits, with its own height where there is room for it. */
+function bareBox({ display }: CSSStyleDeclaration, { page }: TypeArea): Styles | null {
+  if (tableParts.test(display) || display.endsWith("table")) return null;
+  return {
+    ...{ "max-inline-size": "100%", "min-inline-size": "0", "box-sizing": "border-box" },
+    ...{ "max-block-size": `${page - tolerance}px`, "min-block-size": "0", overflow: "hidden" },
+  };
 }
 
 /** Returns whether all that a box shows is put somewhere in it, as on a page of fixed layout. */

@@ -30,6 +30,7 @@ p { widows: 2; orphans: 2; }
 h1, h2, h3, h4, h5, h6 { break-after: avoid; break-inside: avoid; }
 figure, tr { break-inside: avoid; }
 pre { white-space: pre-wrap; }
+dialog { position: static; }
 a { color: inherit; }
 /* Of words in a formula that are broken, Chromium shows the first line alone. */
 :is(mi, mn, mo, ms, mtext) { white-space: nowrap; }
