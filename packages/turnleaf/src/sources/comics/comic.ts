@@ -223,20 +223,26 @@ const isNamedBack = ({ path }: Scan): boolean => backCoverName.test(nameOf(path)
  * and with other covers at the ends of their folders.
  */
 function coversAtEnds(scans: readonly Scan[]): readonly Scan[] {
-  const ordered = [...scans];
-  const move = (scan: Scan, to: (isBeside: (other: Scan) => boolean) => number): void => {
-    const isBeside = ({ path }: Scan): boolean => path.startsWith(folderOf(scan.path));
-    const at = to(isBeside);
-    ordered.splice(ordered.indexOf(scan), 1);
-    ordered.splice(at, 0, scan);
-  };
-  // The first of several comes first.
-  for (const scan of scans.filter(isNamedCover).reverse()) {
-    move(scan, (isBeside) => ordered.findIndex(isBeside));
+  const covers = scans.filter((scan) => isNamedCover(scan) || isNamedBack(scan));
+  /** The first and the last of all in each folder that has a cover, by their numbers. */
+  const ends = new Map<string, [first: number, last: number]>();
+  for (const { path } of covers) ends.set(folderOf(path), [scans.length, 0]);
+  for (const [k, { path }] of scans.entries()) {
+    for (let length = 0; length >= 0; length = path.indexOf("/", length) + 1 || -1) {
+      const found = ends.get(path.slice(0, length));
+      if (found) found.splice(0, 2, Math.min(found[0], k), Math.max(found[1], k));
+    }
   }
-  for (const scan of scans.filter(isNamedBack)) {
-    move(scan, (isBeside) => ordered.findLastIndex(isBeside));
-  }
+  // An outer folder's covers are before and behind those of the folders in it.
+  const placed = scans.map((scan, k) => {
+    const folder = folderOf(scan.path);
+    const [first = k, last = k] = ends.get(folder) ?? [];
+    if (isNamedCover(scan)) return { scan, at: first - 0.5, depth: folder.length };
+    if (isNamedBack(scan)) return { scan, at: last + 0.5, depth: -folder.length };
+    return { scan, at: k, depth: 0 };
+  });
+  placed.sort((a, b) => a.at - b.at || a.depth - b.depth);
+  const ordered = placed.map(({ scan }) => scan);
   const cover = scans.find(({ isFront }) => isFront) ?? ordered.find(isNamedCover);
   const all = cover ? [cover, ...ordered.filter((scan) => scan !== cover)] : ordered;
   return all.map((scan, index) => ({
