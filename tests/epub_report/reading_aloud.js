@@ -153,15 +153,19 @@ export const heard =
     return judged(stretches, stretches?.length === 1 && isStretch(stretches[0], from, to, speed));
   };
 
-/** The same, and its pages, from the second one on, are turned to one after another as they are read. */
+/** The same, and the pages of what is read, which are all from its first words on, are turned to one after another. */
 export const heardOnPages =
-  (from, to, pages, speed = fast) =>
+  (from, to, firstWords, speed = fast) =>
   async (book) => {
     const shown = new Set();
     const stretches = await readAloud(book, (element) => shown.add(element.page), speed);
     shown.delete(1);
-    const isAll = stretches?.length === 1 && isStretch(stretches[0], from, to, speed);
-    return judged(stretches, isAll) && [...shown].join() === pages.join();
+    judged(stretches, stretches?.length === 1 && isStretch(stretches[0], from, to, speed));
+    const texts = await book.texts();
+    const first = texts.findIndex((text) => text.replace(/\s+/g, " ").includes(firstWords));
+    const pages = [...texts.keys()].filter((k) => k >= first && first >= 0).map((k) => k + 1);
+    if (pages.length > 0 && [...shown].join() === pages.join()) return true;
+    throw new Error(`pages turned to: ${[...shown].join(", ")}, not ${pages.join(", ")}`);
   };
 
 /** Two recordings are heard one after the other: the second from its start, without a gap that is heard. */

@@ -20,8 +20,9 @@ const HALF_A_SECOND: u32 = (0.5 / TICK) as u32;
 /// Ticks looked at beyond that.
 const BEYOND: u32 = 20;
 
-/// Ticks in which all leaves come to rest once they are let go, at most.
-const MOST_TO_REST: u32 = 10 * 120;
+/// Ticks in which all leaves come to rest once they are let go, at most, on a page 140 mm wide; on a
+/// wider one as many more as its falls take longer.
+const MOST_TO_REST: f32 = 1200.0;
 
 /// Where more leaves fly than this, every fourth picture is looked at.
 const FEW: usize = 6;
@@ -152,7 +153,8 @@ pub fn play(seed: u64, world: &World) -> Outcome {
         let_go += 2;
         scene.frame(2);
     }
-    while scene.moves() && let_go < MOST_TO_REST {
+    let longest = (MOST_TO_REST * (scene.page[0] / 0.14).sqrt().max(1.0)) as u32;
+    while scene.moves() && let_go < longest {
         scene.press();
         scene.opened.book.step(1);
         let_go += 1;

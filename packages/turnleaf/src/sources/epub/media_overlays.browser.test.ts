@@ -1,6 +1,7 @@
 import { afterEach, describe, expect, test } from "vitest";
 import { openSource } from "../open.ts";
 import type { Narration, PageSource } from "../page_source.ts";
+import { ownTypography } from "../typeset/typography.ts";
 import { secondsOf } from "./media_overlays.ts";
 import { prose, type TinyEpub, tinyEpub } from "./tiny_epub.ts";
 
@@ -171,6 +172,36 @@ describe("the narration of an EPUB", () => {
     source.narration.mark(null);
     expect(await colours()).toEqual(plain);
   });
+});
+
+test("clips that are asked for as the book is set anew are those of the book as it then is", async () => {
+  const epub = overlaid(
+    smil(part("m.xhtml#a", voice("")), part("n.xhtml#b", voice(""))),
+    `<div>${prose(20)}</div><p id="a">A</p>`,
+    // So many that the chapter is not kept laid out.
+    { chapters: Array.from({ length: 12 }, () => prose(1)) },
+  );
+  const source = await open(epub);
+  const { narration } = source;
+  // Past the last, for the list of all.
+  await narration.clip(2, never);
+  const change = await new Promise<() => unknown>((resolve) => {
+    source.watchPages?.(resolve);
+    void source.typeset?.({ ...ownTypography, size: 1.7 });
+  });
+  const asked = Promise.all([narration.clip(0, never), narration.clipFrom(0, never)]);
+  // The chapter is being laid out by now.
+  const { port1, port2 } = new MessageChannel();
+  await new Promise((resolve) => {
+    port1.onmessage = resolve;
+    port2.postMessage(null);
+  });
+  port1.close();
+  change();
+  const [after, first] = await asked;
+  expect(first).toBe(0);
+  expect(after).toMatchObject({ text: "A" });
+  expect(after).toEqual(await narration.clip(0, never));
 });
 
 test("a book without overlays has nothing to be read aloud", async () => {

@@ -144,6 +144,7 @@ export class FlowSource implements PageSource {
         indexOf: (section, page) => this.#pages.indexOf(section, page),
         lay: (section, signal) => this.#lay(section, signal),
         redraw: (section, pages) => this.#redraw(section, pages),
+        whileSet: (read, signal) => this.#whileSet(read, signal),
       });
     }
   }
@@ -462,6 +463,20 @@ export class FlowSource implements PageSource {
     } catch (error) {
       signal.throwIfAborted();
       throw this.#counter.isClosed ? closedError(this.#book.name) : error;
+    }
+  }
+
+  /** Reads something of the book as it is set, and once more where it is set anew meanwhile. */
+  async #whileSet<T>(read: () => Promise<T>, signal: AbortSignal): Promise<T> {
+    for (;;) {
+      const edition = this.#edition;
+      try {
+        return await read();
+      } catch (error) {
+        signal.throwIfAborted();
+        if (this.#counter.isClosed) throw closedError(this.#book.name);
+        if (edition === this.#edition) throw error;
+      }
     }
   }
 

@@ -20,6 +20,11 @@ export interface NarratedPages {
   lay(section: number, signal: AbortSignal): Promise<LaidChapter>;
   /** Draws pages of a section anew; all of them if `pages` is null. */
   redraw(section: number, pages: readonly number[] | null): void;
+  /**
+   * Resolves to what `read` does, called once more where the book is set anew meanwhile: what was laid out
+   * is closed then. Rejects as it does, or with the signal's reason.
+   */
+  whileSet<T>(read: () => Promise<T>, signal: AbortSignal): Promise<T>;
 }
 
 /** The passage that is read now. */
@@ -46,6 +51,10 @@ export class Narrator implements Narration {
   }
 
   async clipFrom(index: number, signal: AbortSignal): Promise<number | null> {
+    return await this.#pages.whileSet(() => this.#clipFrom(index, signal), signal);
+  }
+
+  async #clipFrom(index: number, signal: AbortSignal): Promise<number | null> {
     const { section, page } = this.#pages.at(index);
     const clips = await this.#all(signal);
     const isHere = (one: FlowClip | undefined): one is FlowClip => one?.target.section === section;
@@ -66,6 +75,10 @@ export class Narrator implements Narration {
   }
 
   async clip(number: number, signal: AbortSignal): Promise<NarratedClip | null> {
+    return await this.#pages.whileSet(() => this.#narrated(number, signal), signal);
+  }
+
+  async #narrated(number: number, signal: AbortSignal): Promise<NarratedClip | null> {
     const clip = (await this.#all(signal))[number];
     if (clip === undefined) return null;
     const { target, begin, end } = clip;
