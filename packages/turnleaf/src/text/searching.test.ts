@@ -80,6 +80,12 @@ const search = (
 ): Promise<readonly SearchHit[]> =>
   searchBook(new PageList(source).textPages(signal), texts, query, signal);
 
+/** What finds the places of a query in a source: page, number on it, words before and words found. */
+const placesIn =
+  (source: PageSource) =>
+  async (query: string): Promise<unknown[]> =>
+    (await search(source, query)).map((hit) => [hit.page, hit.index, hit.before, hit.text]);
+
 describe("a search", () => {
   it("tells the page, the place and what stands about it", async () => {
     const { source } = sourceOf([
@@ -115,8 +121,7 @@ describe("a search", () => {
       lines("\u9cb8 there."),
       lines("The end"),
     ]);
-    const places = async (query: string): Promise<unknown[]> =>
-      (await search(source, query)).map((hit) => [hit.page, hit.index, hit.before, hit.text]);
+    const places = placesIn(source);
     const before = "To Sherlock Holmes she is ";
     expect(await places("always the woman")).toEqual([[1, 0, before, "always the woman"]]);
     expect(await places("Bohemia")).toEqual([[2, 0, "woman. I have seldom, in ", "Bohemia"]]);
@@ -137,8 +142,7 @@ describe("a search", () => {
       lines("little of"),
       lines("Holmes lately"),
     ]);
-    const places = async (query: string): Promise<unknown[]> =>
-      (await search(source, query)).map((hit) => [hit.page, hit.index, hit.before, hit.text]);
+    const places = placesIn(source);
     const phrase = "seen little of Holmes lately";
     expect(await places(phrase)).toEqual([[1, 0, "I had ", phrase]]);
     expect(await places("of holmes lately")).toEqual([[2, 0, "little ", "of Holmes lately"]]);

@@ -40,6 +40,20 @@ test("a drag with the mouse selects, and what is copied has words and lines", as
   await eventually(() => copied).toBe("Call me\nIshmael. Some\nyears ago");
 });
 
+/** Shows the second page and the third by themselves. Returns what is found on each once a divided word is. */
+async function eachAlone<T>(find: () => T[]): Promise<T[][]> {
+  element.setAttribute("layout", "single");
+  await settled(element);
+  const found: T[][] = [];
+  for (const page of [2, 3]) {
+    await element.goTo(page);
+    await settled(element);
+    await eventually(() => find().join()).toMatch(/y\d/);
+    found.push(find());
+  }
+  return found;
+}
+
 /** Opens a book of one chapter whose words are divided. */
 async function openDivided(chapter: string): Promise<void> {
   const loaded = happens(element, "load");
@@ -104,16 +118,8 @@ test("what crosses a page is copied as one paragraph, its divided word too, and 
     words.includes(texts.join(" ")) && texts.every((text) => /^incomprehensibility\d/.test(text));
   expect(said()).toHaveLength(2);
   expect(isWhole(said())).toBe(true);
-  element.setAttribute("layout", "single");
-  await settled(element);
-  const alone: string[] = [];
-  for (const page of [2, 3]) {
-    await element.goTo(page);
-    await settled(element);
-    await eventually(() => said().join()).toMatch(/y\d/);
-    alone.push(...said());
-  }
-  expect(isWhole(alone)).toBe(true);
+  const alone = await eachAlone(said);
+  expect(isWhole(alone.flat())).toBe(true);
   element.setAttribute("layout", "spread");
   await settled(element);
   // Beside other text than its beginning it is a heading of its own.
@@ -154,15 +160,7 @@ test("a phrase that crosses a page is found there, and marked on both pages, tog
   await eventually(() => here().filter((left) => left < 320).length).toBeGreaterThan(0);
   expect(here().filter((left) => left > 320).length).toBeGreaterThan(0);
   // Alone, either page is marked up to its edge.
-  element.setAttribute("layout", "single");
-  await settled(element);
-  const alone: string[] = [];
-  for (const page of [2, 3]) {
-    await element.goTo(page);
-    await settled(element);
-    await eventually(() => texts().join()).toMatch(/y\d/);
-    alone.push(texts().join(""));
-  }
+  const alone = (await eachAlone(texts)).map((found) => found.join(""));
   const crossing = `${alone[0]?.slice(-12)}${alone[1]?.slice(0, 12)}`;
   const [hit] = await element.search(crossing);
   expect([hit?.page, hit?.text]).toEqual([2, crossing]);
