@@ -72,7 +72,7 @@ const leadsTo = (side) => async (book) => {
   const isInOrder = ["first", "second", "third", "last"].every((word, k) =>
     texts[k]?.includes(`appear ${word}`),
   );
-  const element = await book.shown(900, 500, { cover: "none" });
+  const element = await book.shown(1280, 800, { cover: "none" });
   await element.goTo(2);
   const { left, right } = element.spread;
   const pair = side === "right" ? [left, right] : [right, left];
