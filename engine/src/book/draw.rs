@@ -154,6 +154,13 @@ fn move_off(order: &mut [Flight], index: usize, side: Side, piles: [&Pile; 2], w
         .map(|is_folded| neighbour.filter(|other| (is_creased || other.is_creased()) == is_folded));
     if let Some(neighbour) = whole {
         own.separate_from(neighbour, side, work);
+        let after_next = match side {
+            Side::Left => left.len().checked_sub(2).map(|next| &left[next]),
+            Side::Right => right.get(1),
+        };
+        if let Some(after_next) = after_next.filter(|other| !other.is_creased()) {
+            own.separate_rim_from(after_next, side, work);
+        }
     }
     if has_folds {
         let neighbour = folded.map(|neighbour| (neighbour, side));
@@ -432,6 +439,62 @@ mod tests {
                 assert!(middle[0] > low[1], "{middle:?} over {low:?} on the {side}");
                 assert!(top[0] > middle[1], "{top:?} over {middle:?} on the {side}");
             }
+        }
+    }
+
+    /// A flight that lies on the right and is drawn at places by u and v, 0 to 1.
+    fn drawn(place: impl Fn(f32, f32) -> [f32; 3]) -> Flight {
+        let mut flight = level(Side::Right, 0.0);
+        let count = flight.surface().positions.len() / 3;
+        let columns = flight.surface().columns;
+        let u = |node: usize| flight.surface().positions[3 * node] / WIDTH;
+        let u: Vec<f32> = (0..columns).map(u).collect();
+        let rows = (count / columns - 1) as f32;
+        for (node, point) in { flight.override_surface().as_chunks_mut::<3>().0 }
+            .iter_mut()
+            .enumerate()
+        {
+            *point = place(u[node % columns], (node / columns) as f32 / rows);
+        }
+        flight.want();
+        flight.draw_again(false);
+        flight
+    }
+
+    /// The fore-edge of the uppermost of three hangs over that of the middle one, which reaches less
+    /// far, and into the lowest.
+    #[test]
+    fn what_reaches_beyond_the_rim_of_its_neighbour_is_moved_off_the_leaf_after_that() {
+        let flat = |reach: f32, z: f32| move |u: f32, v: f32| [reach * WIDTH * u, 0.21 * v, z];
+        let hanging = |u: f32, v: f32| {
+            let z = if u > 0.99 { 0.6e-3 } else { 1.4e-3 };
+            [WIDTH * u, 0.21 * v, z]
+        };
+        let mut order = [
+            drawn(hanging),
+            drawn(flat(0.95, 1.2e-3)),
+            drawn(flat(1.0, 1e-3)),
+        ];
+        let book = Book::new(f64::from(WIDTH), 0.21, 10, 0.001).unwrap();
+        let [right, left] = &book.piles;
+        separate(&mut order, ALL, [right, left], &mut Work::new(u32::MAX));
+        let [least, _] = heights(&order[0]);
+        assert!(least > 1e-3, "{least} m");
+    }
+
+    /// Two that cross at a small angle, so that no edge is farther than a sliver through a facet, are
+    /// drawn through each other where the fore-edge of one is deep in the other.
+    #[test]
+    fn what_only_grazes_where_it_crosses_is_drawn_through_where_its_fore_edge_is_deep() {
+        let sloping =
+            |end: f32| move |u: f32, v: f32| [WIDTH * u, 0.21 * v, 2e-3 + end * (2.0 * u - 1.0)];
+        for (end, is_through) in [(0.03e-3, false), (-0.03e-3, false), (-0.5e-3, true)] {
+            let mut pair = [drawn(sloping(end)), drawn(sloping(0.0))];
+            pair.iter_mut().for_each(Flight::cut_drawn);
+            let [over, under] = &pair;
+            let work = &mut Work::new(u32::MAX);
+            let found = over.is_drawn_through(under, true, [ROUNDING, TOUCHING], work);
+            assert_eq!(found, is_through, "{end} m");
         }
     }
 

@@ -10,7 +10,7 @@ use super::leaf::Leaf;
 use super::limits::{FARTHEST, NODES};
 use super::phase::Phase;
 use super::pile::Pile;
-use crate::contact::crossing::{Tiles, is_past};
+use crate::contact::crossing::{Tiles, is_fore_edge_past, is_past};
 use crate::contact::flap_order::FlapOrder;
 use crate::contact::flaps::is_turned_over;
 use crate::contact::mesh::{Folds, Mesh};
@@ -19,7 +19,7 @@ use crate::contact::separate_folded::{
     MovedLeaf, Order, Outcome, PartedLeaf, PlacedBlocks, push_off_leaf,
 };
 use crate::contact::separate_parts::{DrawnParts, ROUNDS};
-use crate::contact::tolerance::{AT_FACET, DEEP, PAST_AT_SPINE};
+use crate::contact::tolerance::{AT_FACET, DEEP, NOT_UPON, PAST_AT_SPINE};
 use crate::contact::work::Work;
 use crate::creased_only::CreasedOnly;
 use crate::grid::Side;
@@ -39,6 +39,9 @@ static CREASINGS: AtomicU32 = AtomicU32::new(0);
 /// Work of moving what is drawn of a flight, and of cutting it, nanoseconds.
 pub const MOVING: u32 = 40_000;
 pub const CUTTING: u32 = 10_000;
+
+/// Work of looking whether the fore-edge of one of two leaves has passed the other, nanoseconds.
+const FORE_EDGES: u32 = 10_000;
 
 /// The number of what is not in flight but lies creased upon a pile.
 pub const LYING: u32 = 0;
@@ -69,9 +72,10 @@ pub struct Flight {
     full_precision: bool,
     /// Whether the surface holds what is to be drawn in the sheet's place.
     overridden: bool,
-    /// Whether it may have been bent back on itself: by a grab, by others, by its own weight, or
-    /// as it is drawn in the sheet's place.
+    /// Whether what is wanted, and what was drawn last, may be bent back on itself: by a grab, by
+    /// others, by its own weight, or as it is drawn in the sheet's place.
     may_be_folded: bool,
+    was_drawn_folded: bool,
     /// Whether it is then bent so far that it may reach round others.
     is_bent_back: bool,
     was_driven: bool,
@@ -124,6 +128,7 @@ impl Flight {
             full_precision: false,
             overridden: false,
             may_be_folded: false,
+            was_drawn_folded: false,
             is_bent_back: false,
             was_driven: false,
             had_crossing: false,
@@ -147,6 +152,7 @@ impl Flight {
         (self.id, self.low, self.high) = (id, low, high);
         self.leaf.lay(from);
         self.shown.clear();
+        self.was_drawn_folded = false;
         (self.may_have_tunnelled, self.needs_crossing_test) = (false, false);
         self.overridden = false;
         (self.was_driven, self.was_through, self.had_crossing) = (false, false, false);
@@ -358,8 +364,33 @@ impl Flight {
             &neighbour.drawn(),
             [sign, scale],
             self.full_precision || neighbour.full_precision,
-            probed(&self.leaf, &neighbour.leaf, slot, grid),
-            probed(&neighbour.leaf, &self.leaf, 1 - slot, grid),
+            [
+                &probed(&self.leaf, &neighbour.leaf, slot, grid),
+                &probed(&neighbour.leaf, &self.leaf, 1 - slot, grid),
+            ],
+            work,
+        );
+        self.surface.update_normals();
+    }
+
+    /// Moves the rim of what is drawn of it off the flight after its neighbour on a side, which it meets
+    /// beyond that neighbour's rim, and itself off the rim of that flight.
+    pub fn separate_rim_from(&mut self, after_next: &Flight, side: Side, work: &mut Work) {
+        self.revision += 1;
+        let sign = match side {
+            Side::Left => -1.0,
+            Side::Right => 1.0,
+        };
+        let [columns, rows] = [self.surface.columns, self.surface.rows];
+        let is_rim =
+            |column: usize, row: usize| column + 1 == columns || row == 0 || row + 1 == rows;
+        let scale = self.scale();
+        separate(
+            (&mut self.surface, &self.bends, Folds::default()),
+            &after_next.drawn(),
+            [sign, scale],
+            self.full_precision || after_next.full_precision,
+            [&is_rim; 2],
             work,
         );
         self.surface.update_normals();
@@ -559,6 +590,21 @@ impl Flight {
         let scale = self.scale();
         (is_neighbour && self.is_drawn_past(right))
             || self.tiles.cross(&right.tiles, tolerance * scale, work)
+            || (is_neighbour && self.has_fore_edge_past(right, tolerance * scale, work))
+    }
+
+    /// Whether the fore-edge of one of what is drawn of it and of its neighbour on its right has passed
+    /// the other: at a small angle leaves only graze each other where they cross, and are deep in each
+    /// other where they end. Parts of creased ones are [moved](Self::separate_folded) off each other
+    /// until they are clear.
+    fn has_fore_edge_past(&self, right: &Flight, tolerance: f32, work: &mut Work) -> bool {
+        if self.is_creased() || right.is_creased() {
+            return false;
+        }
+        let [own, other] = [&self.surface, &right.surface].map(Mesh::of);
+        work.spend(FORE_EDGES);
+        let within = [tolerance, NOT_UPON * self.scale()];
+        is_fore_edge_past(own, other, 1.0, within) || is_fore_edge_past(other, own, -1.0, within)
     }
 
     /// Whether what is drawn of it has passed its neighbour on its right at the spine.
@@ -569,7 +615,8 @@ impl Flight {
 
     /// Whether it may be drawn through itself.
     pub fn may_be_folded(&self) -> bool {
-        self.may_be_folded
+        // What is held back is turned and moved off others picture after picture.
+        self.may_be_folded || self.was_drawn_folded || self.held_back
     }
 
     /// Whether what is drawn of it goes through itself, as it was when it was
@@ -680,6 +727,7 @@ impl Flight {
     /// Keeps what is drawn now, as the way to the next begins there.
     pub fn show(&mut self) {
         self.was_drawn = true;
+        self.was_drawn_folded = self.may_be_folded || self.held_back;
         self.shown.clone_from(&self.surface.positions);
         self.surface.touch();
     }

@@ -188,6 +188,27 @@ pub fn is_past(left: Mesh<'_>, right: Mesh<'_>, tolerance: f32) -> bool {
     most < 0.0 && least < -tolerance
 }
 
+/// Whether a leaf's fore-edge has passed another leaf by more than the first of two lengths, metres, and
+/// less than the second, as what is farther has come round its rim. `side` is 1 where the leaf lies on
+/// the recto's side of the other, else -1.
+#[inline(never)]
+pub fn is_fore_edge_past(
+    leaf: Mesh<'_>,
+    other: Mesh<'_>,
+    side: f32,
+    [least, most]: [f32; 2],
+) -> bool {
+    let columns = leaf.columns;
+    let mut fore_edge = (columns - 1..leaf.points.len()).step_by(columns);
+    fore_edge.any(|node| {
+        let place = leaf.points[node];
+        let near = other.nearest_node(place, node);
+        let facet = other.facet_next_to(place, near, true);
+        let past = -side * facet.height;
+        past > least && past < most && !facet.beyond
+    })
+}
+
 #[inline(never)]
 fn range(values: &[f32; SIDE * SIDE]) -> [f32; 2] {
     // Compared by hand: a library's least and most mind what is no number, and are slow.

@@ -82,66 +82,96 @@ pub fn separate(
     other: &DrawnLeaf<'_>,
     [side, scale]: [f32; 2],
     thorough: bool,
-    own_close: impl Fn(usize, usize) -> bool,
-    other_close: impl Fn(usize, usize) -> bool,
+    [own_close, other_close]: [&dyn Fn(usize, usize) -> bool; 2],
     work: &mut Work,
 ) {
     if work.is_spent() {
         return;
     }
-    let own_probes = probes(own, own_bends, [true, thorough], scale, own_close);
-    let other_probes = probes(
+    let mut own_probes = probes(own, own_bends, [true, thorough], scale, own_close);
+    let mut other_probes = probes(
         other.surface,
         other.bends,
         [false, thorough],
         scale,
         other_close,
     );
+    let columns = own.columns;
     let rounds = if thorough { ROUNDS } else { 1 };
-    for _ in 0..rounds {
-        let mut moved = false;
-        for (probes, by_facets) in [(&own_probes, false), (&other_probes, true)] {
+    let mut moved = Vec::new();
+    for round in 0..rounds {
+        // A round looks only at what moved since the one before it.
+        if round > 0 {
+            own_probes.retain(|probe| probe.ends.iter().any(|end| moved[usize::from(*end)]));
+            other_probes.retain(|probe| is_any_next_to(&moved, columns, probe.near));
+        }
+        moved.clear();
+        moved.resize(own.positions.len() / 3, false);
+        for (probes, by_facets) in [(&mut own_probes, false), (&mut other_probes, true)] {
             if work.is_spent() {
                 return;
             }
-            moved |= push_apart(
+            push_apart(
                 (own, own_bends, own_folds),
                 other,
                 [side, scale],
                 probes,
                 by_facets,
+                &mut moved,
                 work,
             );
         }
-        if !moved {
+        if !moved.contains(&true) {
             return;
         }
     }
 }
 
+/// A point that is looked at, or the middle of an edge: a point is an edge between it and itself.
+struct Probe {
+    ends: [u16; 2],
+    /// The node of the other leaf nearest to it when it was last looked at.
+    near: u16,
+}
+
+/// Whether a set of nodes has any that a cell has in common with one of them.
+fn is_any_next_to(set: &[bool], columns: usize, node: u16) -> bool {
+    let (column, row) = (usize::from(node) % columns, usize::from(node) / columns);
+    let columns_next = column.saturating_sub(1)..(column + 2).min(columns);
+    (row.saturating_sub(1)..(row + 2).min(set.len() / columns))
+        .any(|row| set[row * columns..][columns_next.clone()].contains(&true))
+}
+
 /// The points of a surface that are to be looked at, and the ends of the edges: of
-/// its points `all` or those where it is bent, and of these the edges if `thorough`.
-/// A point is an edge between it and itself.
+/// its points `all`, or its rim and where it is bent, and of these the edges if `thorough`. A rim
+/// lies between two points of the other leaf, and so none of them need be over or under it.
 fn probes(
     surface: &Surface,
     bends: &[f32],
     [all, thorough]: [bool; 2],
     scale: f32,
-    close: impl Fn(usize, usize) -> bool,
-) -> Vec<[u16; 2]> {
+    close: &dyn Fn(usize, usize) -> bool,
+) -> Vec<Probe> {
     let (columns, rows) = (surface.columns, surface.rows);
     let mut found = Vec::new();
     for node in 0..columns * rows {
         let (column, row) = (node % columns, node / columns);
         let edges = thorough && bends[node] > BENT * scale;
+        let is_rim = column + 1 == columns || row == 0 || row + 1 == rows;
         // The column at the spine is everyone's.
-        if column == 0 || !(all || edges) || !close(column, row) {
+        if column == 0 || !(all || edges || is_rim) || !close(column, row) {
             continue;
         }
-        found.push([node as u16; 2]);
+        let mut push = |end: usize| {
+            found.push(Probe {
+                ends: [node as u16, end as u16],
+                near: node as u16,
+            });
+        };
+        push(node);
         for [right, up] in EDGES {
             if edges && column + right < columns && row + up < rows {
-                found.push([node as u16, (node + up * columns + right) as u16]);
+                push(node + up * columns + right);
             }
         }
     }
@@ -157,19 +187,20 @@ fn middle(points: &[[f32; 3]], [a, b]: [u16; 2]) -> [f32; 3] {
 fn near(
     mesh: &Mesh<'_>,
     place: [f32; 3],
-    probe: [u16; 2],
+    probe: &mut Probe,
     ahead: &mut usize,
     [side, scale]: [f32; 2],
     [own_bends, bends]: [&[f32]; 2],
     work: &mut Work,
 ) -> Option<Facet> {
     // What is next to a point is as far along as what was next to the one before.
-    let (at, count) = (usize::from(probe[0]), mesh.points.len());
+    let (at, count) = (usize::from(probe.ends[0]), mesh.points.len());
     let start = (at + *ahead) % count;
     let node = mesh.nearest_node(place, start);
     *ahead = (node + count - at) % count;
+    probe.near = node as u16;
     let height = side * dot(sub(place, mesh.points[node]), mesh.normal(node));
-    let clear = WELL_CLEAR * scale + 2.0 * (own_bends[probe[0] as usize] + bends[node]);
+    let clear = WELL_CLEAR * scale + 2.0 * (own_bends[at] + bends[node]);
     (height < clear).then(|| {
         let is_bent = bends[node] > BENT * scale;
         work.spend(FACET * if is_bent { 8 } else { 2 });
@@ -187,26 +218,27 @@ fn missing(place: [f32; 3], facet: &Facet, [side, scale]: [f32; 2]) -> Option<f3
 }
 
 /// Pushes points and edges of a leaf off the facets of another, or where `by_facets` its
-/// facets off points and edges of the other. Returns whether any were.
+/// facets off points and edges of the other. Notes which of its points moved.
 fn push_apart(
     (own, own_bends, own_folds): (&mut Surface, &[f32], Folds<'_>),
     other: &DrawnLeaf<'_>,
     [side, scale]: [f32; 2],
-    probes: &[[u16; 2]],
+    probes: &mut [Probe],
     by_facets: bool,
+    moved: &mut [bool],
     work: &mut Work,
-) -> bool {
+) {
     let columns = own.columns;
     work.spend(PROBE * probes.len() as u32);
-    let (mut moved, mut ahead) = (false, 0);
+    let mut ahead = 0;
     let facing = if by_facets { -side } else { side };
-    for &probe in probes {
+    for probe in probes {
         let mut meshes = [Mesh::of(own), Mesh::of(other.surface)];
         meshes[0].folds = own_folds;
         meshes[1].folds = other.folds;
         let bends = [own_bends, other.bends];
         let (mover, met) = (usize::from(by_facets), usize::from(!by_facets));
-        let place = middle(meshes[mover].points, probe);
+        let place = middle(meshes[mover].points, probe.ends);
         let bends = [bends[mover], bends[met]];
         let facing = [facing, scale];
         let Some(facet) = near(&meshes[met], place, probe, &mut ahead, facing, bends, work) else {
@@ -215,9 +247,9 @@ fn push_apart(
         let Some(missing) = missing(place, &facet, facing) else {
             continue;
         };
-        moved = true;
         let points = own.positions.as_chunks_mut::<3>().0;
         let mut push = |node: usize, by: f32| {
+            moved[node] |= by != 0.0;
             for axis in 0..3 {
                 points[node][axis] += side * missing * by * facet.normal[axis];
             }
@@ -233,13 +265,12 @@ fn push_apart(
             parts.for_each(|(node, part)| push(node, part / whole.max(0.1)));
         } else {
             // An edge moves with both its ends, a point counts as both.
-            let part = if probe[0] == probe[1] { 0.5 } else { 1.0 };
-            probe
-                .into_iter()
-                .for_each(|end| push(usize::from(end), part));
+            let [a, b] = probe.ends.map(usize::from);
+            let part = if a == b { 0.5 } else { 1.0 };
+            push(a, part);
+            push(b, part);
         }
     }
-    moved
 }
 
 #[cfg(test)]
@@ -262,6 +293,36 @@ mod tests {
         let mut bends = vec![0.0; 63];
         find_bends(surface, &mut bends);
         bends
+    }
+
+    /// The fore-edge of a lower leaf, bent up through an upper one between two columns of that.
+    #[test]
+    fn facets_are_pushed_off_a_rim_that_ends_between_their_points() {
+        let mut upper = surface(|_| 0.0);
+        let mut lower = surface(|column| if column == 8 { 4e-4 } else { -1e-3 });
+        for point in lower.positions.chunks_exact_mut(3) {
+            point[0] -= 0.005;
+        }
+        lower.update_normals();
+        let (own, other) = ([0.0; 63], [0.0; 63]);
+        let drawn = DrawnLeaf {
+            surface: &lower,
+            bends: &other,
+            folds: Folds::default(),
+        };
+        separate(
+            (&mut upper, &own, Folds::default()),
+            &drawn,
+            [1.0; 2],
+            false,
+            [&|_, _| true; 2],
+            &mut Work::new(u32::MAX),
+        );
+        let points = upper.positions.as_chunks::<3>().0;
+        for row in 0..7 {
+            let over = 0.5 * (points[9 * row + 7][2] + points[9 * row + 8][2]);
+            assert!(over > 4e-4, "row {row}: {over} m");
+        }
     }
 
     #[test]
@@ -299,8 +360,7 @@ mod tests {
             &drawn,
             [1.0; 2],
             true,
-            |_, _| true,
-            |_, _| true,
+            [&|_, _| true; 2],
             &mut Work::new(u32::MAX),
         );
         let points = upper.positions.as_chunks::<3>().0;
