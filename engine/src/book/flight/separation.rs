@@ -1,0 +1,231 @@
+//! What is drawn of a flight, moved off its own parts, off those next to it and out of the piles.
+
+use super::{Flight, folds};
+use crate::book::bend_into_gutter::{Over, push_edges_off, push_off};
+use crate::book::leaf::Leaf;
+use crate::book::limits::NODES;
+use crate::book::phase::Phase;
+use crate::book::pile::Pile;
+use crate::contact::flap_order::FlapOrder;
+use crate::contact::mesh::{Folds, Mesh};
+use crate::contact::separate::{DrawnLeaf, separate};
+use crate::contact::separate_folded::{
+    MovedLeaf, Order, Outcome, PartedLeaf, PlacedBlocks, push_off_leaf,
+};
+use crate::contact::separate_parts::{DrawnParts, ROUNDS};
+use crate::contact::work::Work;
+use crate::grid::Side;
+
+impl Flight {
+    /// Moves what is drawn of it off the neighbour on a side.
+    pub fn separate_from(&mut self, neighbour: &Flight, side: Side, work: &mut Work) {
+        self.revision += 1;
+        // A leaf lies on the recto's side of the one on its right.
+        let (slot, sign) = match side {
+            Side::Left => (0, -1.0),
+            Side::Right => (1, 1.0),
+        };
+        let grid = (&self.cells[..], self.surface.rows);
+        let scale = self.scale();
+        let folds = folds(self.creased.as_ref(), &self.turned_over);
+        separate(
+            (&mut self.surface, &self.bends, folds),
+            &neighbour.drawn(),
+            [sign, scale],
+            self.full_precision || neighbour.full_precision,
+            [
+                &probed(&self.leaf, &neighbour.leaf, slot, grid),
+                &probed(&neighbour.leaf, &self.leaf, 1 - slot, grid),
+            ],
+            work,
+        );
+        self.surface.update_normals();
+    }
+
+    /// Moves the rim of what is drawn of it off the flight after its neighbour on a side, which it meets
+    /// beyond that neighbour's rim, and itself off the rim of that flight.
+    pub fn separate_rim_from(&mut self, after_next: &Flight, side: Side, work: &mut Work) {
+        self.revision += 1;
+        let sign = match side {
+            Side::Left => -1.0,
+            Side::Right => 1.0,
+        };
+        let [columns, rows] = [self.surface.columns, self.surface.rows];
+        let is_rim =
+            |column: usize, row: usize| column + 1 == columns || row == 0 || row + 1 == rows;
+        let scale = self.scale();
+        separate(
+            (&mut self.surface, &self.bends, Folds::default()),
+            &after_next.drawn(),
+            [sign, scale],
+            self.full_precision || after_next.full_precision,
+            [&is_rim; 2],
+            work,
+        );
+        self.surface.update_normals();
+    }
+
+    /// What is drawn of it.
+    fn drawn(&self) -> DrawnLeaf<'_> {
+        DrawnLeaf {
+            surface: &self.surface,
+            bends: &self.bends,
+            folds: folds(self.creased.as_ref(), &self.turned_over),
+        }
+    }
+
+    /// Pushes what others moved into the piles (right and left) out of them, so far over
+    /// each, metres for a page 0.14 m wide.
+    pub fn push_off_piles(&mut self, piles: [&Pile; 2], over: [f32; 2], work: &mut Work) {
+        self.revision += 1;
+        let over = Over::of(over, self.scale());
+        push_off(&mut self.surface.positions, piles, over);
+        self.separate_own_parts(ROUNDS, work);
+        self.keep_off_piles(piles, over);
+    }
+
+    /// Pushes points and edges out of the piles (right and left), so far over each.
+    fn keep_off_piles(&mut self, piles: [&Pile; 2], over: Over) {
+        push_off(&mut self.surface.positions, piles, over);
+        if !matches!(self.phase(), Phase::Resting(_)) {
+            let folds = folds(self.creased.as_ref(), &self.turned_over);
+            push_edges_off(&mut self.surface.positions, folds, piles, over);
+        }
+    }
+
+    /// Moves its own parts off each other, in so many rounds at most; once no work is left only
+    /// while there were fewer than [`ROUNDS`] since it was to be drawn anew. Returns whether any
+    /// were moved in the last.
+    pub(super) fn separate_own_parts(&mut self, rounds: usize, work: &mut Work) -> bool {
+        if work.is_spent() && self.rounds >= ROUNDS {
+            return false;
+        }
+        self.rounds += rounds;
+        let within = (self.scale(), rounds);
+        self.leaf.flaps().is_some_and(|flaps| {
+            let surface = &mut self.surface;
+            self.parts.separate_flaps(surface, flaps, within, work)
+        })
+    }
+
+    /// Finds the parts of what is drawn of it, to be kept clear of a creased neighbour.
+    pub fn find_parts(&mut self) {
+        if self.parts.blocks.is_empty() {
+            self.parts = DrawnParts::whole(self.surface.columns, self.surface.rows);
+        }
+    }
+
+    /// Finds how parts of it and of the one on its right lie upon each other as they are drawn.
+    pub fn order_flaps(&mut self, right: &mut Flight) {
+        let [own, other] = [&*self, right].map(|flight| Mesh {
+            folds: folds(flight.creased.as_ref(), &flight.turned_over),
+            ..Mesh::of(&flight.surface)
+        });
+        let order = FlapOrder::of(own, other);
+        self.flap_order[1] = order;
+        right.flap_order[0] = order.reversed();
+    }
+
+    /// Whether parts of it lie upon parts of the neighbour on a side, or under these, as both lie open.
+    pub fn lies_open_beside(&self, side: Side) -> bool {
+        self.flap_order[usize::from(side == Side::Right)].lie_open()
+    }
+
+    /// Moves what is drawn of it out of the piles (right and left), so far over each, its parts
+    /// off each other, and all of it off the neighbour on a side, until it is clear of all.
+    /// One of the two is creased, and the [parts](Self::find_parts) of both are known.
+    pub fn separate_folded(
+        &mut self,
+        neighbour: Option<(&Flight, Side)>,
+        piles: [&Pile; 2],
+        over: [f32; 2],
+        work: &mut Work,
+    ) {
+        let scale = self.scale();
+        let over = Over::of(over, scale);
+        let before = self.surface.positions.clone();
+        let mut seen = Vec::new();
+        let mut placed = neighbour.map(|(flight, _)| PlacedBlocks::of(&flight.parted()));
+        // A round looks only at what moved since the one before it.
+        let (mut is_clear, mut is_covered, mut crosses) = (false, false, false);
+        let mut is_resolved = false;
+        for _ in 0..ROUNDS {
+            self.keep_off_piles(piles, over);
+            let are_parts_clear = !self.is_creased() || !self.separate_own_parts(1, work);
+            if let (Some((neighbour, side)), Some(placed)) = (neighbour, &mut placed) {
+                if work.is_spent() {
+                    is_clear = false;
+                    break;
+                }
+                let (slot, side) = match side {
+                    Side::Left => (0, -1.0),
+                    Side::Right => (1, 1.0),
+                };
+                let order = Order {
+                    side,
+                    scale,
+                    parts: self.flap_order[slot],
+                };
+                let mut own = MovedLeaf {
+                    points: self.surface.positions.as_chunks_mut::<3>().0,
+                    parts: &self.parts,
+                    shut: self.shut,
+                    seen: &mut seen,
+                };
+                let other = neighbour.parted();
+                let outcome = push_off_leaf(&mut own, &other, placed, order, work);
+                crosses |= outcome == Outcome::Crosses;
+                is_clear = outcome <= Outcome::Covered;
+                is_covered |= outcome == Outcome::Covered;
+            }
+            is_resolved = are_parts_clear && (is_clear || neighbour.is_none());
+            if is_resolved {
+                break;
+            }
+        }
+        if !is_resolved {
+            // What the last round moved may be in a pile, and no pile yields.
+            let moved = self.surface.positions.clone();
+            self.keep_off_piles(piles, over);
+            is_clear &= self.surface.positions == moved;
+        }
+        if self.surface.positions != before {
+            self.revision += 1;
+            self.surface.update_normals();
+        }
+        if let Some((neighbour, side)) = neighbour.filter(|_| is_clear && !is_covered && !crosses) {
+            let slot = usize::from(side == Side::Right);
+            self.clear_of[slot] = Some([self.revision, neighbour.revision]);
+        }
+    }
+
+    /// Whether it was found to lie clear of the one on its right as both are to be drawn.
+    pub fn is_known_clear_of(&self, right: &Flight) -> bool {
+        let [own, other] = [self.revision, right.revision];
+        self.clear_of[1] == Some([own, other]) || right.clear_of[0] == Some([other, own])
+    }
+
+    fn parted(&self) -> PartedLeaf<'_> {
+        PartedLeaf {
+            points: self.surface.positions.as_chunks::<3>().0,
+            parts: &self.parts,
+            shut: self.shut,
+        }
+    }
+}
+
+/// Says of a drawn point of a leaf, by its column and row, whether it may touch a neighbour,
+/// the left (0) or the right (1). Given are the leaf's cells in which its drawn columns lie,
+/// and how many rows are drawn.
+fn probed<'a>(
+    leaf: &'a Leaf,
+    neighbour: &Leaf,
+    slot: usize,
+    (cells, rows): (&'a [usize], usize),
+) -> impl Fn(usize, usize) -> bool + use<'a> {
+    let both_down = leaf.is_down() && neighbour.is_down();
+    move |column, row| {
+        let row = row * (NODES[1] - 1) / rows;
+        both_down || leaf.in_book_space().is_close(slot, cells[column], row)
+    }
+}
