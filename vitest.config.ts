@@ -35,6 +35,9 @@ const htmlInCanvas = ["packages/turnleaf/src/element/live_drawings.canvas.test.t
 /** What the random tests and those of long samples read, for those that run in a browser. */
 const { TURNLEAF_SEED = "1", TURNLEAF_FUZZ = "1", TURNLEAF_LONG = "" } = process.env;
 
+/** Where no test is looked for. */
+const installed = ["**/node_modules/**", "**/dist/**"];
+
 /** Archives that tests read. */
 const archives = ["**/*.rar", "**/*.7z", "**/*.cb7"];
 
@@ -44,19 +47,26 @@ const archives = ["**/*.rar", "**/*.7z", "**/*.cb7"];
  */
 const beside = { maxWorkers: 2, sequence: { groupOrder: 1 } };
 
+/** A project whose files run in Chromium. */
+interface ChromiumProject {
+  readonly name: string;
+  readonly include: string[];
+  readonly exclude?: string[];
+  /** What runs before each file. */
+  readonly setup: string;
+  /** Flags of Chromium besides those of all. */
+  readonly flags?: string[];
+}
+
 /**
- * Files that run in the real Chromium of this machine, started with flags besides those of all: each in a
- * page of its own unless `sharesPage`, then one after another in a page that has the viewer's modules loaded.
+ * Projects that run in the real Chromium of this machine, a browser each. They share a server, as one for
+ * each would find, bundle and transform the same modules again. With `sharesPage` the files of a project run
+ * one after another in a page that has the viewer's modules loaded, otherwise each in a page of its own.
  */
 function inChromium(
   name: string,
-  include: string[],
-  {
-    setup,
-    flags = [],
-    exclude = [],
-    sharesPage = false,
-  }: { setup: string; flags?: string[]; exclude?: string[]; sharesPage?: boolean },
+  { sharesPage }: { sharesPage: boolean },
+  projects: readonly ChromiumProject[],
 ): TestProjectConfiguration {
   return {
     plugins: [
@@ -108,14 +118,13 @@ function inChromium(
     },
     test: {
       name,
-      include,
-      exclude: ["**/node_modules/**", "**/dist/**", ...exclude],
+      include: projects.flatMap(({ include }) => include),
+      exclude: installed,
       // Nothing takes as long; on a machine that does eight other things as well it is a tenth of it.
       testTimeout: 120_000,
       hookTimeout: 120_000,
       ...beside,
       env: { TURNLEAF_SEED, TURNLEAF_FUZZ, TURNLEAF_LONG },
-      setupFiles: [`packages/turnleaf/src/for_tests/${setup}`],
       browser: {
         enabled: true,
         fileParallelism: false,
@@ -128,10 +137,21 @@ function inChromium(
           ...processCommands,
           ...requestCommands,
         },
-        provider: playwright({
-          launchOptions: { executablePath: findChromium(), args: [...chromiumArguments, ...flags] },
-        }),
-        instances: [{ browser: "chromium", viewport: { width: 800, height: 600 } }],
+        provider: playwright(),
+        instances: projects.map(({ name, include, exclude = [], setup, flags = [] }) => ({
+          browser: "chromium",
+          name,
+          viewport: { width: 800, height: 600 },
+          include,
+          exclude: [...installed, ...exclude],
+          setupFiles: [join(import.meta.dirname, "packages/turnleaf/src/for_tests", setup)],
+          provider: playwright({
+            launchOptions: {
+              executablePath: findChromium(),
+              args: [...chromiumArguments, ...flags],
+            },
+          }),
+        })),
       },
     },
   };
@@ -157,10 +177,7 @@ function inNode(
       name,
       environment: "node",
       include,
-      exclude: [
-        ...["**/*.{browser,drawn,canvas}.test.ts", ...exclude],
-        ...["**/node_modules/**", "**/dist/**"],
-      ],
+      exclude: [...["**/*.{browser,drawn,canvas}.test.ts", ...exclude], ...installed],
       testTimeout: 120_000,
       hookTimeout: 120_000,
       globalSetup: isOfBuild ? ["scripts/stale_build.mjs"] : [],
@@ -196,24 +213,37 @@ export default defineConfig({
         // Starting one for each file takes a sixth of the processors' time.
         { sharesProcess: true },
       ),
-      inChromium("chromium", ["packages/**/*.browser.test.ts"], {
-        ...undrawn,
-        exclude: [sources, ...alone],
-        sharesPage: true,
-      }),
-      inChromium("chromium, alone", alone, undrawn),
-      // They read books and show few, and loading the readers takes as long as most of these files.
-      inChromium("chromium, sources", [sources], { ...undrawn, sharesPage: true }),
-      inChromium("chromium, drawn", ["packages/**/*.drawn.test.ts"], {
-        setup: "drawn_setup.ts",
-        // Pages' pictures and what is around a book are painted without the graphics process, in which
-        // software imitates a graphics card: that is for the books.
-        flags: ["--disable-accelerated-2d-canvas", "--disable-gpu-rasterization"],
-      }),
-      inChromium("chromium with HTML in canvas", htmlInCanvas, {
-        setup: "drawn_setup.ts",
-        flags: ["--enable-blink-features=CanvasDrawElement"],
-      }),
+      inChromium("chromium, in one page", { sharesPage: true }, [
+        {
+          name: "chromium",
+          include: ["packages/**/*.browser.test.ts"],
+          exclude: [sources, ...alone],
+          ...undrawn,
+        },
+        // They read books and show few, and loading the readers takes as long as most of these files.
+        { name: "chromium, sources", include: [sources], ...undrawn },
+      ]),
+      inChromium("chromium, each in a page", { sharesPage: false }, [
+        { name: "chromium, alone", include: alone, ...undrawn },
+        {
+          name: "chromium, drawn",
+          include: ["packages/**/*.drawn.test.ts"],
+          setup: "drawn_setup.ts",
+          // What is around a book is painted and composed without the graphics process, in which software
+          // imitates a graphics card, and so are pages' pictures: that is for the books.
+          flags: [
+            "--disable-accelerated-2d-canvas",
+            "--disable-gpu-rasterization",
+            "--disable-gpu-compositing",
+          ],
+        },
+        {
+          name: "chromium with HTML in canvas",
+          include: htmlInCanvas,
+          setup: "drawn_setup.ts",
+          flags: ["--enable-blink-features=CanvasDrawElement"],
+        },
+      ]),
     ],
   },
 });

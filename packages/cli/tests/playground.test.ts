@@ -6,7 +6,13 @@ import type { Page } from "playwright-core";
 import { decodeTurn } from "turnleaf/keyframes";
 import { afterAll, afterEach, beforeAll, expect, it } from "vitest";
 import { firstSettings } from "../app/playground/settings.ts";
-import { chromiumForTests, hearComplaints, pageForTests, type TestChromium } from "./browser.ts";
+import {
+  chromiumForTests,
+  emptyPage,
+  hearComplaints,
+  pageForTests,
+  type TestChromium,
+} from "./browser.ts";
 import { type Started, startServing } from "./command.ts";
 import { comesTo, passTime, passTimeUntil, stopClock, textComesTo } from "./waiting.ts";
 
@@ -227,7 +233,7 @@ it("carries all settings in the link", async () => {
     lines: "yes",
     strain: "yes",
   });
-  await page.goto("about:blank");
+  await emptyPage(page);
   await open(link);
   expect(await page.getByLabel("Model of the first leaf").inputValue()).toBe("cone");
   expect(await page.getByLabel("Stock").inputValue()).toBe("card");

@@ -7,7 +7,7 @@ import { rar4, rar5, sevenZip } from "../../turnleaf/src/for_tests/stored_archiv
 import { tinyFb2 } from "../../turnleaf/src/sources/fb2/tiny_fb2.ts";
 import { tinyKf8, tinyMobi } from "../../turnleaf/src/sources/kindle/tiny_kindle.ts";
 import { pdf, png } from "./books.ts";
-import { chromiumForTests } from "./browser.ts";
+import { chromiumForTests, emptyPage } from "./browser.ts";
 import { folderOf, type Started, start } from "./command.ts";
 import {
   bookComesTo,
@@ -36,7 +36,7 @@ async function open(url: string): Promise<void> {
 
 /** Ends a server, once its page is left: that might ask it for more. */
 async function leave(server: Started): Promise<void> {
-  await page.goto("about:blank");
+  await emptyPage(page);
   await server.stop();
 }
 
@@ -98,7 +98,7 @@ it("turns with the buttons and finds the page again after a reload", async () =>
   await page.mouse.move(200, 200);
   await page.getByRole("button", { name: "Next page" }).click();
   await comesTo(page, () => location.hash, "#page=6");
-  await page.goto("about:blank");
+  await emptyPage(page);
   await open(served.url);
   expect(await book(({ page }) => page)).toBe(6);
   await page.getByRole("button", { name: "Previous page" }).click();
