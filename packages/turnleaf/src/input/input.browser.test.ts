@@ -344,7 +344,7 @@ test("a second finger soon after one that has begun to move a leaf zooms, and th
   expect(element.page).toBe(6);
   element.zoom = 1;
   await settled(element);
-  // A finger that has held its leaf for a while, or drawn it away, goes on to: the other is another hand.
+  // A finger that has held its leaf for a while, or drawn it away, goes on to: the other takes another leaf.
   for (const [pause, far] of [
     [400, 20],
     [80, 60],
