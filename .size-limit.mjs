@@ -104,5 +104,5 @@ export default [
   allBut([...usual, ...apart], "shows and turns a book", 171.3),
   ...usual,
   ...apart,
-  allBut(apart, "all that a usual book loads", 221.5),
+  allBut(apart, "all that a usual book loads", 222),
 ];

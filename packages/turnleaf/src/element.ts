@@ -17,7 +17,7 @@ import type { OpenBook } from "./element/open_book.ts";
 import type { PageChanges } from "./element/page_changes.ts";
 import { layoutLists } from "./element/page_lists.ts";
 import { pageNumber, RequestedPage } from "./element/page_numbers.ts";
-import { pageThemeOf, watchScheme } from "./element/page_theme.ts";
+import { pageThemeOf, printFilterOf, watchScheme } from "./element/page_theme.ts";
 import { adopt } from "./element/reflecting_element.ts";
 import { openPages, ShadowTree } from "./element/shadow_tree.ts";
 import { SoundAndHaptics } from "./element/sound_and_haptics.ts";
@@ -319,7 +319,9 @@ export class TurnleafBook extends TearableElement {
     this.#updateControls();
     this.#watching = new AbortController();
     const view = this.ownerDocument.defaultView ?? window;
-    watchScheme(view, () => this.#recolour(), this.#watching.signal);
+    const { signal } = this.#watching;
+    watchScheme(view, () => this.#recolour(), signal);
+    view.addEventListener("beforeprint", () => this.#setPrintFilter(), { signal });
     void this.#speak(false);
     this.#children.observe(this, { childList: true });
     this.#reopen();
@@ -546,6 +548,12 @@ export class TurnleafBook extends TearableElement {
     book.source.colours = colours;
     book.viewer.recolour(theme);
     book.roll?.recolour();
+  }
+
+  /** Sets how the web page's own print shows the book: in the colours of now, as no page is drawn while it prints. */
+  #setPrintFilter(): void {
+    const filter = printFilterOf(this.source?.colours ?? null, this.darkPagesNow);
+    this.#tree.stage.style.setProperty("--printed", filter);
   }
 
   #options(source: PageList): ViewerOptions {

@@ -540,6 +540,40 @@ test("the print dialog asks for pages and closes when they are printed", async (
   expect(book.asked).toEqual(["print"]);
 });
 
+test("Ctrl and P asks which pages are to be printed: the open ones at first, or all", async () => {
+  const { book, root } = addFakeBook();
+  const dialog = () => root.querySelector<HTMLDialogElement>("dialog");
+  const pages = (): string[] =>
+    [...(dialog()?.querySelectorAll("input") ?? [])].map(({ value }) => value);
+  const key = (options: KeyboardEventInit): KeyboardEvent => {
+    const event = new KeyboardEvent("keydown", {
+      key: "p",
+      bubbles: true,
+      composed: true,
+      cancelable: true,
+      ...options,
+    });
+    frameOf(root)?.dispatchEvent(event);
+    return event;
+  };
+  expect(key({ ctrlKey: true }).defaultPrevented).toBe(true);
+  expect(dialog()?.open).toBe(true);
+  expect(pages()).toEqual(["iv", "v"]);
+  [...(dialog()?.querySelectorAll("button") ?? [])]
+    .find(({ textContent }) => textContent === "All pages")
+    ?.click();
+  expect(pages()).toEqual(["i", "24"]);
+  dialog()?.close();
+  await eventually(dialog).toBe(null);
+  // The browser prints what it sees where the file allows no more, and what it is asked for otherwise.
+  book.allows = { print: false, download: true };
+  expect(key({ metaKey: true }).defaultPrevented).toBe(false);
+  book.allows = { print: true, download: true };
+  expect(key({ ctrlKey: true, shiftKey: true }).defaultPrevented).toBe(false);
+  expect(key({}).defaultPrevented).toBe(false);
+  expect(dialog()).toBe(null);
+});
+
 test("the password dialog returns what is typed, or null, and says that one was wrong", async () => {
   const { book, root } = addFakeBook();
   const dialog = () => root.querySelector<HTMLDialogElement>("dialog");

@@ -138,7 +138,8 @@ function build<Hit extends FoundPlace>(
       `${wording.texts.typeSize}: ${wording.number(Math.round(100 * typographyOf(book).size))} %`,
     );
   };
-  const actions = actionsOf(book, wording, () => askPrint(book, wording, frame));
+  const print = (): void => askPrint(book, wording, frame);
+  const actions = actionsOf(book, wording, print);
   const bar = new Bar(book, wording, actions, toggle);
   const pages = new PagesBar(book, wording);
   /** Moves the book aside for the open panel where it stays large enough. */
@@ -205,6 +206,11 @@ function build<Hit extends FoundPlace>(
         book.announceZoom();
       },
       type: stepType,
+      print: () => {
+        if (!book.allows.print) return false;
+        print();
+        return true;
+      },
       bookmark: () => {
         book.toggleBookmark();
         const { texts, list } = wording;

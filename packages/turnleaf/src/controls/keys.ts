@@ -9,14 +9,17 @@ export interface KeyCommands {
   escape(): boolean;
   zoom(by: 1 | 0 | -1): void;
   bookmark(): void;
+  /** Asks which pages are to be printed. Returns whether the book may be. */
+  print(): boolean;
   /** Sets flowing text one step larger (1) or smaller (-1). */
   type(by: 1 | -1): void;
 }
 
 /**
  * Listens on the element until the signal aborts. Keys with Ctrl, Alt or Meta
- * belong to the browser, but for the one that puts a torn leaf back; those typed
- * into a field or a dialog, or meant for a button, stay there.
+ * belong to the browser, but for the one that prints, as the browser would print a picture of the
+ * screen, and the one that puts a torn leaf back; those typed into a field or a dialog, or meant for
+ * a button, stay there.
  */
 export function listenToKeys(
   book: ControlledBook,
@@ -33,6 +36,10 @@ function handle(event: KeyboardEvent, book: ControlledBook, commands: KeyCommand
   const isDialogs = inside.some((at) => at instanceof HTMLDialogElement);
   if (event.defaultPrevented || event.altKey || isDialogs) return;
   if (event.ctrlKey || event.metaKey) {
+    if (event.key === "p" && !event.shiftKey) {
+      if (commands.print()) event.preventDefault();
+      return;
+    }
     const undoes = event.key === "z" && !event.shiftKey && book.tornLeaves > 0;
     if (!undoes || isTyping(event.composedPath()[0])) return;
     event.preventDefault();

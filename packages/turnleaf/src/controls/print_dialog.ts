@@ -1,4 +1,4 @@
-/** Asks which pages are to be printed, and shows how far their drawing is. */
+/** Asks which pages are to be printed, the open ones at first, and shows how far their drawing is. */
 
 import { mostPrinted } from "../element/printing.ts";
 import { fill } from "../words/languages.ts";
@@ -20,8 +20,15 @@ export function askPrint(book: ControlledBook, wording: Wording, host: Node): vo
     input.value = book.label(page);
     return { input, line: make("label", {}, make("span", {}, label), input) };
   };
-  const from = field(texts.from, 1);
-  const to = field(texts.to, Math.min(book.pageCount, mostPrinted));
+  const { left, right } = book.spread;
+  const open = [left, right].filter((page) => page !== null);
+  const from = field(texts.from, Math.min(...open, book.page));
+  const to = field(texts.to, Math.max(...open, book.page));
+  const all = make("button", { type: "button", class: "plain" }, texts.allPages);
+  all.addEventListener("click", () => {
+    from.input.value = book.label(1);
+    to.input.value = book.label(Math.min(book.pageCount, mostPrinted));
+  });
   const status = make("p", { role: "status", class: "remark" });
   if (book.pageCount > mostPrinted)
     status.textContent = wording.plural(texts.mostPrinted, mostPrinted);
@@ -29,7 +36,13 @@ export function askPrint(book: ControlledBook, wording: Wording, host: Node): vo
   const cancel = make("button", { type: "button", class: "plain" }, texts.cancel);
   const go = make("button", { type: "submit", class: "plain strong" }, texts.print);
   const form = make("form", {}, make("h2", { id: "print" }, texts.print));
-  form.append(from.line, to.line, status, progress, make("div", { class: "choices" }, cancel, go));
+  form.append(
+    from.line,
+    to.line,
+    status,
+    progress,
+    make("div", { class: "choices" }, all, cancel, go),
+  );
   const dialog = make(
     "dialog",
     { part: "dialog", class: "ui dialog", "aria-labelledby": "print" },

@@ -86,6 +86,7 @@ export const en: ControlTexts = {
   noText: "Nothing found: the pages of this book are pictures, without text to search.",
   from: "From page",
   to: "to page",
+  allPages: "All pages",
   cancel: "Cancel",
   mostPrinted: { one: "At most {n} page at once.", other: "At most {n} pages at once." },
   password: "Password",

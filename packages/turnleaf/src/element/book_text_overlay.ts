@@ -76,6 +76,9 @@ export class BookTextOverlay {
     }
     this.#layers = layers;
     this.#roll = roll;
+    // Beside the text of a web page a click ends its selection; on a canvas browsers leave it as it is.
+    const deselect = (): void => getSelection()?.removeAllRanges();
+    canvas.addEventListener("click", deselect, { signal: ended });
     ended.addEventListener("abort", () => {
       for (const layer of layers) layer.destroy();
       removeStyle();

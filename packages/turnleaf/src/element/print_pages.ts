@@ -3,8 +3,13 @@
 import { BookError, type PagePicture, type PageSource } from "../sources/page_source.ts";
 import { mostPrinted, type PrintOptions } from "./printing.ts";
 
-/** Width of a printed page in pixels: A4 at 150 dots an inch, A5 at 210. */
-const printWidth = 1240;
+/**
+ * Width of a printed page in pixels: A4 at 300 dots an inch, as printers print letters. Many pages take
+ * half of it, as each of the others takes up to two megabytes until it is printed.
+ */
+const widthOfFew = 2480;
+const widthOfMany = 1240;
+const mostSharp = 40;
 
 /**
  * Draws pages and opens the browser's print dialog with them, each upright on a
@@ -12,7 +17,10 @@ const printWidth = 1240;
  * a `BookError` if a page cannot be drawn, there is none or there are too many,
  * or with the signal's reason.
  */
-export async function printPages(source: PageSource, options: PrintOptions): Promise<true> {
+export async function printPages(
+  source: Pick<PageSource, "title" | "pageCount" | "draw">,
+  options: PrintOptions,
+): Promise<true> {
   const { from = 1, to = source.pageCount, onPage } = options;
   const [first, last] = [Math.max(Math.ceil(from), 1), Math.min(Math.floor(to), source.pageCount)];
   // Nor is there one between 3 and 2, or if a number is NaN.
@@ -28,6 +36,7 @@ export async function printPages(source: PageSource, options: PrintOptions): Pro
     });
   }
   const signal = options.signal ?? new AbortController().signal;
+  const width = last - first < mostSharp ? widthOfFew : widthOfMany;
   const urls: string[] = [];
   const frame = document.createElement("iframe");
   const end = (): void => {
@@ -40,7 +49,7 @@ export async function printPages(source: PageSource, options: PrintOptions): Pro
     sheets.title = source.title;
     for (let page = first; page <= last; page++) {
       onPage?.(page);
-      const picture = await source.draw(page - 1, printWidth, signal, undefined, null);
+      const picture = await source.draw(page - 1, width, signal, undefined, null);
       const url = URL.createObjectURL(await encode(picture));
       urls.push(url);
       const image = sheets.createElement("img");

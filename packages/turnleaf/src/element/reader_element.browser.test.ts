@@ -8,6 +8,7 @@ import { clock } from "../for_tests/clock.ts";
 import { book, happens, scans, settled } from "../for_tests/element_books.ts";
 import { eventually } from "../for_tests/eventually.ts";
 import type { TurnDetail } from "./events.ts";
+import { printPages } from "./print_pages.ts";
 
 beforeEach(() => {
   localStorage.clear();
@@ -141,6 +142,29 @@ test("a slide-show turns page after page until the last, and leaves no timer", a
   element.play(3600);
   element.remove();
   expect(reports).toEqual([true, false, true, false]);
+});
+
+test("few pages are printed at 300 dots an inch on A4, many at half as many", async () => {
+  const observer = new MutationObserver(() => {
+    const inside = document.querySelector("iframe")?.contentWindow;
+    if (inside) inside.print = () => inside.dispatchEvent(new Event("afterprint"));
+  });
+  observer.observe(document.body, { childList: true });
+  let widths: number[] = [];
+  const draw = (_: number, width: number): Promise<ImageBitmap> => {
+    widths.push(width);
+    return createImageBitmap(new ImageData(1, 1));
+  };
+  const widthsOf = async (pageCount: number): Promise<number[]> => {
+    widths = [];
+    await printPages({ title: "A Book", pageCount, draw }, {});
+    expect(widths.length).toBe(pageCount);
+    return [...new Set(widths)];
+  };
+  expect(await widthsOf(40)).toEqual([2480]);
+  expect(await widthsOf(41)).toEqual([1240]);
+  await eventually(() => document.querySelector("iframe")).toBe(null);
+  observer.disconnect();
 });
 
 test("printing draws a sheet a page in a frame of its own, and takes it away", async () => {

@@ -213,7 +213,7 @@ ${night(':host([theme="night"])')}
   /* As on the screen, with all that lies over it, and as large as fits; the quotient of two lengths is a tangent. */
   .frame > [part="stage"][part] {
     inset: 50% auto auto 50%; width: var(--screen-width, 100%); height: var(--screen-height, 100%);
-    translate: -50% -50%;
+    translate: -50% -50%; filter: var(--printed, none);
     scale: min(tan(atan2(100cqw, var(--screen-width, 100cqw))), tan(atan2(100cqh, var(--screen-height, 100cqh))));
   }
 }

@@ -77,6 +77,24 @@ test("given no book it says what to give it, until it is given one", async () =>
   expect(message?.hidden).toBe(true);
 });
 
+test("by night the web page's own print has ink on light paper, and pictures as bright as they are", async () => {
+  await shown("width: 700px", "height: 500px", [90, 135], { theme: "night" });
+  const element = document.querySelector("turnleaf-book") as TurnleafBook;
+  const stage = element.shadowRoot?.querySelector("[part=stage]") as HTMLElement;
+  const printed = async (attributes: Record<string, string>): Promise<string> => {
+    for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);
+    window.dispatchEvent(new Event("beforeprint"));
+    await toolSession().send("Emulation.setEmulatedMedia", { media: "print" });
+    const { filter } = getComputedStyle(stage);
+    await toolSession().send("Emulation.setEmulatedMedia", { media: "" });
+    expect(getComputedStyle(stage).filter).toBe("none");
+    return filter;
+  };
+  expect(await printed({})).toBe("brightness(1.25)");
+  expect(await printed({ "dark-pages": "invert" })).toMatch(/^invert/);
+  expect(await printed({ theme: "light" })).toBe("none");
+});
+
 test("the web page's own print has the open spread as it is seen, and no bars", async () => {
   await shown("width: 700px", "height: 500px", [90, 135], { controls: "" });
   const element = document.querySelector("turnleaf-book") as TurnleafBook;

@@ -317,6 +317,44 @@ test.each(["left", "right"])(
   },
 );
 
+test("a second finger soon after one that has begun to move a leaf zooms, and the leaf goes back", async () => {
+  const { element, pointer } = await opened();
+  const [a, b] = [1, 2].map((pointerId) => ({ pointerId, pointerType: "touch" }));
+  const pinch = async (pause: number, far: number): Promise<void> => {
+    pointer.point("pointerdown", 220, 110, a);
+    pointer.point("pointermove", 220 - far / 2, 110, a);
+    pointer.point("pointermove", 220 - far, 110, a);
+    expect(element.state).toBe("dragged");
+    pointer.wait(pause);
+    pointer.point("pointerdown", 100, 110, b);
+    await Promise.all([
+      pointer.move([220 - far, 110], [260, 110], a),
+      pointer.move([100, 110], [40, 110], b),
+    ]);
+  };
+  const release = async (): Promise<void> => {
+    pointer.point("pointerup", 260, 110, a);
+    pointer.point("pointerup", 40, 110, b);
+    await settled(element);
+  };
+  await pinch(80, 20);
+  expect(element.zoom).toBeGreaterThan(1.5);
+  await release();
+  expect(element.state).toBe("resting");
+  expect(element.page).toBe(6);
+  element.zoom = 1;
+  await settled(element);
+  // A finger that has held its leaf for a while, or drawn it away, goes on to: the other takes another leaf.
+  for (const [pause, far] of [
+    [400, 20],
+    [80, 60],
+  ] as const) {
+    await pinch(pause, far);
+    expect(element.zoom).toBe(1);
+    await release();
+  }
+});
+
 test("a double tap zooms to the page and back, keys zoom and pan", async () => {
   const { element, pointer } = await opened();
   const touch = { pointerType: "touch", pointerId: 3 };

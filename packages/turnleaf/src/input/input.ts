@@ -36,6 +36,12 @@ const dragStart = { mouse: 4, other: 8 };
 const flickSpeed = 0.45;
 const flickTime = 450;
 
+/**
+ * Up to when and how far, ms and CSS pixels, a finger that has begun to move a leaf is the first of a pinch if
+ * a second one comes down: no two come down at once, nor lie still until both do.
+ */
+const pinchStart = { time: 200, distance: 24 };
+
 /** How far a panned book glides on, in seconds of its speed, and for how long, seconds. */
 const glideOn = 0.13;
 const glideTime = 0.4;
@@ -55,6 +61,8 @@ interface Press extends Place {
   readonly flick: Flick;
   /** The leaf that it moves, once it does. */
   drag: Dragged | null;
+  /** Whether it caught that leaf in flight. */
+  readonly caught: boolean;
   /** Whether it moves the view. */
   pans: boolean;
   /** Its position. */
@@ -162,7 +170,8 @@ export class Input {
     const time = event.timeStamp;
     flick.move(at, time);
     const from = inWindow(event);
-    const press = { ...at, at, from, to: from, hit, kind, flick, time, drag, pans: false };
+    const caught = drag !== null;
+    const press = { ...at, at, from, to: from, hit, kind, flick, time, drag, caught, pans: false };
     this.#presses.set(event.pointerId, press);
     this.#canvas.setPointerCapture(event.pointerId);
     drag?.move(at.x, at.y);
@@ -313,17 +322,19 @@ export class Input {
   }
 
   /**
-   * Starts a zoom with a second finger, unless the first already turns a leaf:
-   * then it is another drag.
+   * Starts a zoom with a second finger, unless the first already turns a leaf: then it is another drag. A
+   * leaf that the first has only begun to move goes back.
    */
   #beginPinch(event: PointerEvent, at: Place): boolean {
     if (event.pointerType !== "touch" || this.#pinch || !this.#target.allows("zoom")) return false;
     const other = [...this.#presses].find(
-      ([, press]) => press.kind === "touch" && press.drag === null,
+      ([, press]) =>
+        press.kind === "touch" && (press.drag === null || mayPinch(press, event.timeStamp)),
     );
     if (other === undefined) return false;
     const [id, press] = other;
     this.#presses.delete(id);
+    press.drag?.release();
     this.#taps.forget();
     this.#viewer.handled = true;
     this.#pinch = new Pinch(this.#viewer, [id, press.at], [event.pointerId, at]);
@@ -339,7 +350,17 @@ export class Input {
     // The remaining finger continues to pan.
     if (this.#viewer.zoomLevel > 1) {
       const from = inWindow(event);
-      const press = { ...at, at, from, to: from, hit: null, drag: null, pans: true, kind: "touch" };
+      const press = {
+        ...at,
+        at,
+        from,
+        to: from,
+        hit: null,
+        drag: null,
+        caught: false,
+        pans: true,
+        kind: "touch",
+      };
       this.#presses.set(id, { ...press, flick: new Flick(), time: event.timeStamp });
     } else this.#viewer.handled = false;
     return true;
@@ -407,6 +428,12 @@ function hasMoved({ from, to, kind }: Press): boolean {
     Math.hypot(to.x - from.x, to.y - from.y) >
     (kind === "mouse" ? dragStart.mouse : dragStart.other)
   );
+}
+
+/** Returns whether a finger that moves a leaf has only just begun to, so that a second one makes it a pinch. */
+function mayPinch({ from, to, time, caught }: Press, now: number): boolean {
+  const isNear = Math.hypot(to.x - from.x, to.y - from.y) <= pinchStart.distance;
+  return !caught && isNear && now - time <= pinchStart.time;
 }
 
 /** Returns the side where a leaf was grabbed. */

@@ -40,6 +40,15 @@ test("a drag with the mouse selects, and what is copied has words and lines", as
   await eventually(() => copied).toBe("Call me\nIshmael. Some\nyears ago");
 });
 
+test("a click beside the text ends its selection", async () => {
+  const last = edgeOf(boxOf("years ago"), 1);
+  await dragMouse(edgeOf(boxOf("Call me"), 0), last);
+  expect(String(getSelection())).not.toBe("");
+  await clickMouse({ x: last.x, y: last.y + 40 });
+  expect(String(getSelection())).toBe("");
+  expect(element.page).toBe(2);
+});
+
 /** Shows the second page and the third by themselves. Returns what is found on each once a divided word is. */
 async function eachAlone<T>(find: () => T[]): Promise<T[][]> {
   element.setAttribute("layout", "single");

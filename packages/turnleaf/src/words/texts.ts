@@ -132,6 +132,7 @@ export interface ControlTexts {
   readonly noText: string;
   readonly from: string;
   readonly to: string;
+  readonly allPages: string;
   readonly cancel: string;
   /** Maximum of pages that are printed at once. */
   readonly mostPrinted: Plural;

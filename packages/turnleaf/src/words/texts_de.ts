@@ -100,6 +100,7 @@ export const texts: Texts = {
     "Nichts gefunden: Die Seiten dieses Buches sind Bilder ohne Text, der sich durchsuchen ließe.",
   from: "Von Seite",
   to: "bis Seite",
+  allPages: "Alle Seiten",
   cancel: "Abbrechen",
   mostPrinted: {
     one: "Höchstens {n} Seite auf einmal.",

@@ -100,6 +100,7 @@ export const texts: Texts = {
     "No se encontró nada: las páginas de este libro son imágenes, sin texto en el que buscar.",
   from: "De la página",
   to: "a la página",
+  allPages: "Todas las páginas",
   cancel: "Cancelar",
   mostPrinted: {
     one: "Como máximo {n} página a la vez.",

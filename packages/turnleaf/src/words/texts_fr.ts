@@ -99,6 +99,7 @@ export const texts: Texts = {
   noText: "Rien n’a été trouvé : les pages de ce livre sont des images, sans texte où chercher.",
   from: "De la page",
   to: "à la page",
+  allPages: "Toutes les pages",
   cancel: "Annuler",
   mostPrinted: { one: "{n} page au plus à la fois.", other: "{n} pages au plus à la fois." },
   password: "Mot de passe",

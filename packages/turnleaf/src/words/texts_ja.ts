@@ -94,6 +94,7 @@ export const texts: Texts = {
   noText: "見つかりませんでした。この本のページは画像で、検索できる文字がありません。",
   from: "開始ページ",
   to: "終了ページ",
+  allPages: "すべてのページ",
   cancel: "キャンセル",
   mostPrinted: { other: "一度に印刷できるのは {n} ページまでです。" },
   password: "パスワード",

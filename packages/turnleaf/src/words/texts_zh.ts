@@ -94,6 +94,7 @@ export const texts: Texts = {
   noText: "没有找到：本书的页面是图片，没有可查找的文字。",
   from: "从",
   to: "到",
+  allPages: "全部页面",
   cancel: "取消",
   mostPrinted: { other: "一次最多打印 {n} 页。" },
   password: "密码",
