@@ -34,6 +34,11 @@ export interface SheetHooks {
   readonly dropCorner: () => Promise<boolean>;
   /** Lays the book open at a spread, where its place is from then on. */
   readonly lay: (spread: number) => void;
+  /**
+   * Takes the pages (from 1) of a leaf that is off out of the book, and binds it without them.
+   * Returns the number of its sheet; null if they cannot be taken out.
+   */
+  readonly takeOut: (pages: readonly number[]) => number | null;
   /** How large the book is shown. */
   readonly extent: Pick<BookExtent, "canvas" | "contains">;
   /** Calls `look` with the camera as it is when it shows the whole book and nothing else. */
@@ -213,14 +218,14 @@ export class SheetCommands {
     try {
       const [loaded] = await Promise.all([backend.tearing?.(), this.useCreasable()]);
       if (loaded && owner) {
-        const { moved, lay, extent, lookAtRest, showWhole } = this.#hooks;
+        const { moved, lay, takeOut, extent, lookAtRest, showWhole } = this.#hooks;
         const hooks = {
           line: () => this.#line,
           mayTear: (pages: readonly number[]) => owner.mayTear(pages),
-          takeOut: (pages: readonly number[]) => owner.takeOut(pages),
           heard: (work: number) => owner.heard(work),
           moved,
           lay,
+          takeOut,
           extent,
           lookAtRest,
           showWhole,

@@ -52,13 +52,15 @@ const commandSpeed = 0.6;
 const longestPull = 2;
 
 /** What tearing needs of the viewer, and of the owner of the book's pages. */
-export interface TearHooks extends TearOwner {
+export interface TearHooks extends Pick<TearOwner, "mayTear" | "heard"> {
   /** Returns how the leaves are bound; null if none may be torn out now. */
   readonly line: () => TearLine | null;
   /** Something moves: a frame should show it. */
   readonly moved: () => void;
   /** Lays the book open at a spread, where its place is from then on. */
   readonly lay: (spread: number) => void;
+  /** As `SheetHooks` has it. */
+  readonly takeOut: (pages: readonly number[]) => number | null;
   /** How large the book is shown. */
   readonly extent: Pick<BookExtent, "canvas" | "contains">;
   /** Calls `look` with the camera as it is when it shows the whole book and nothing else. */
