@@ -81,11 +81,6 @@ export class Rebinder {
     return this.#mustBind || this.#changes.length > 0;
   }
 
-  /** Whether pages may have other numbers after `bindAnew` than those by which the book is bound now. */
-  get willRenumber(): boolean {
-    return this.#isRenumbered || this.#changes.length > 0;
-  }
-
   /** Changes options of the binding. Options left out stay as they were. */
   setOptions(changes: Partial<BindingOptions>): void {
     const before: BindingOptions = this.#options;
@@ -145,12 +140,9 @@ export class Rebinder {
 
   /** Makes the waiting changes of the pages. Returns where those from before lie now. */
   makeChanges(): NewIndex {
-    const made = this.#changes.splice(0).map((change) => change());
+    const made = this.#changes.splice(0).flatMap((change) => change() ?? []);
     return (index) =>
-      made.reduce<number | null>(
-        (at, moved) => (moved === null || at === null ? at : moved(at)),
-        index,
-      );
+      made.reduce<number | null>((at, moved) => (at === null ? null : moved(at)), index);
   }
 
   /** Changes the paper: at once, or as soon as no leaf is in flight. */
@@ -185,15 +177,15 @@ export class Rebinder {
 
   /**
    * Applies waiting changes and keeps the visible page in sight; only while
-   * nothing moves.
+   * nothing moves. Returns whether pages may have other numbers since.
    *
    * @param room the available space, CSS pixels
    */
-  bindAnew(room: PageSize): void {
+  bindAnew(room: PageSize): boolean {
     this.makeChanges();
-    if (!this.#mustBind) return;
-    this.#mustBind = false;
-    this.#isRenumbered = false;
+    if (!this.#mustBind) return false;
+    const isRenumbered = this.#isRenumbered;
+    this.#mustBind = this.#isRenumbered = false;
     const before = this.#bound;
     const plan = this.#plan(room);
     this.#usual = plan.usual;
@@ -204,6 +196,7 @@ export class Rebinder {
     this.#nextEngine?.destroy();
     this.#nextEngine = null;
     before.destroy();
+    return isRenumbered;
   }
 
   /** Stops all motion and frees the engine's book. */

@@ -554,8 +554,7 @@ export class Viewer {
     this.#sharpness.close();
     const before = this.binding;
     const page = pageOf(before, this.turning.spread);
-    const isRenumbered = this.#rebinder.willRenumber;
-    this.#rebinder.bindAnew(this.extent.room);
+    const isRenumbered = this.#rebinder.bindAnew(this.extent.room);
     this.sheets.bound();
     this.#frames.bound();
     const { edge, layout } = this.binding;
