@@ -1,6 +1,6 @@
 /**
- * The tables of the docs. What measures writes a table into docs/data, a row a line, and this the
- * table of formats, from their source;
+ * The tables of the docs. What measures writes a table into docs/data, a row a line, and this those
+ * that are made of the viewer's sources;
  * pages include it between the lines `<!-- table NAME -->` and `<!-- /table -->`.
  *
  *   node scripts/docs_tables.mjs            writes the tables into the pages
@@ -8,7 +8,7 @@
  *
  * `<!-- table NAME: words|other words -->` includes the rows alone that begin with these words.
  */
-import { readdirSync, readFileSync, writeFileSync } from "node:fs";
+import { existsSync, readdirSync, readFileSync, writeFileSync } from "node:fs";
 import { join, relative } from "node:path";
 
 const root = join(import.meta.dirname, "..");
@@ -18,6 +18,11 @@ const data = join(docs, "data");
 /** Rows of cells, the first of them headings. */
 export function readTable(name) {
   return JSON.parse(readFileSync(join(data, `${name}.json`), "utf8"));
+}
+
+/** Whether there is such a table. */
+function hasTable(name) {
+  return existsSync(join(data, `${name}.json`));
 }
 
 /** Writes the rows of a table as data. */
@@ -80,13 +85,15 @@ export function includeTables(isCheck = false) {
 
 if (process.argv[1] === import.meta.filename) {
   const isCheck = process.argv.includes("--check");
-  const { formatsTable } = await import("./formats_table.mjs");
-  const formats = await formatsTable();
-  const isNew = JSON.stringify(formats) !== JSON.stringify(readTable("formats"));
-  if (isNew && !isCheck) writeTable("formats", formats);
+  const { sourceTables } = await import("./source_tables.mjs");
+  const outdated = Object.entries(await sourceTables()).filter(
+    ([name, rows]) => !hasTable(name) || JSON.stringify(rows) !== JSON.stringify(readTable(name)),
+  );
+  if (!isCheck) for (const [name, rows] of outdated) writeTable(name, rows);
   const faults = includeTables(isCheck);
-  if (isNew && isCheck)
-    faults.push("docs/data/formats.json is out of date: run node scripts/docs_tables.mjs");
+  if (isCheck)
+    for (const [name] of outdated)
+      faults.push(`docs/data/${name}.json is out of date: run node scripts/docs_tables.mjs`);
   for (const fault of faults) console.error(fault);
   if (faults.length > 0) process.exit(1);
 }

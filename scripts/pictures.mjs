@@ -12,14 +12,12 @@ import { chromium } from "playwright-core";
 import { serve as serveExamples } from "../examples/serve.mjs";
 import { chromiumArguments, findChromium } from "./chromium.mjs";
 import { filmStrip } from "./film_strip.mjs";
-import { importTs } from "./import_ts.mjs";
 import { driveClock, serve } from "./reader_page.mjs";
+import { paperStocks } from "./source_tables.mjs";
 
 const root = join(import.meta.dirname, "..");
 
-/** The stocks of paper. */
-const { presetStocks } = await importTs("stocks.ts");
-const papers = Object.keys(presetStocks).filter((name) => name !== "board");
+const papers = await paperStocks();
 const out = join(root, "docs/pictures");
 const wide = { width: 1280, height: 800 };
 /** Of what moves, whose pictures take many bytes. */

@@ -23,15 +23,25 @@ export async function openRegular(path: string, flags = 0): Promise<FileHandle |
 }
 
 /**
+ * Opens a regular file for reading that a user has named.
+ *
+ * @throws Problem if it cannot be opened or is not regular
+ */
+export async function openNamed(path: string): Promise<FileHandle> {
+  const handle = await openRegular(path).catch((error: unknown) => {
+    throw fileProblem(path, error);
+  });
+  if (!handle) throw new Problem(`${printable(path)} is not a regular file; name another.`);
+  return handle;
+}
+
+/**
  * Reads a whole regular file, of at most `most` bytes.
  *
  * @throws Problem if it cannot be read, is not regular, or is larger
  */
 export async function readRegular(path: string, most: number): Promise<Buffer> {
-  const handle = await openRegular(path).catch((error: unknown) => {
-    throw fileProblem(path, error);
-  });
-  if (!handle) throw new Problem(`${printable(path)} is not a regular file; name another.`);
+  const handle = await openNamed(path);
   try {
     const { size } = await handle.stat();
     if (size > most) throw tooLarge(path, most);

@@ -23,7 +23,7 @@ import { openPages, ShadowTree } from "./element/shadow_tree.ts";
 import { SoundAndHaptics } from "./element/sound_and_haptics.ts";
 import { TearableElement } from "./element/tearable_element.ts";
 import { TextSetting } from "./element/text_setting.ts";
-import { pagesIn } from "./sources/html/child_pages.ts";
+import { WatchedChildren } from "./element/watched_children.ts";
 import { loadPart } from "./sources/load_part.ts";
 import type { BookInput } from "./sources/open.ts";
 import type { PageList } from "./sources/page_list.ts";
@@ -122,9 +122,10 @@ export class TurnleafBook extends TearableElement {
   #connected = false;
   /** What the book that opens was bound by, as text. */
   #boundBy = "";
-  /** Opens a book of the element's children when the first of them comes. */
-  readonly #children = new MutationObserver(() => {
-    if (this.#life.isIdle && this.#childPages() !== "") this.#reopen();
+  /** The element's children, of which a book opens when the first of them comes. */
+  readonly #children = new WatchedChildren(this, () => {
+    const isOther = this.src !== "" || this.#input !== null;
+    if (!isOther && this.#life.isIdle && this.#children.input !== "") this.#reopen();
   });
 
   /**
@@ -323,15 +324,8 @@ export class TurnleafBook extends TearableElement {
     watchScheme(view, () => this.#recolour(), signal);
     view.addEventListener("beforeprint", () => this.#setPrintFilter(), { signal });
     void this.#speak(false);
-    this.#children.observe(this, { childList: true });
+    this.#children.watch();
     this.#reopen();
-    // Pages that are still being parsed would come one by one.
-    if (this.ownerDocument.readyState === "loading") {
-      const parsed = (): void => {
-        if (this.#life.isIdle) this.#reopen();
-      };
-      this.ownerDocument.addEventListener("DOMContentLoaded", parsed, { once: true });
-    }
   }
 
   /** @internal A move that keeps the state, by `moveBefore`, changes nothing. */
@@ -344,7 +338,7 @@ export class TurnleafBook extends TearableElement {
     this.disconnectReader();
     this.#connected = false;
     this.#watching?.abort();
-    this.#children.disconnect();
+    this.#children.stop();
     this.#updateControls();
     // Inserted again it opens the whole book, without the pages that were added.
     if (this.#left) {
@@ -496,7 +490,7 @@ export class TurnleafBook extends TearableElement {
   #reopen(): void {
     // The parser's attributes come one by one before the element is connected: one book, not four.
     if (!this.#connected) return;
-    const input = this.#input ?? (this.src || this.#childPages());
+    const input = this.#input ?? (this.src || this.#children.input);
     this.#status = input === "" ? "missing" : "opening";
     this.#hasFailed = false;
     this.#sayStatus();
@@ -510,16 +504,6 @@ export class TurnleafBook extends TearableElement {
       this.restorePlace(source, src, typography, this.#left?.anchor),
     );
     if (this.#left && found !== null) this.#left = { ...this.#left, page: found };
-  }
-
-  /** Returns the book that the element's children are; "" if there are none yet. */
-  #childPages(): BookInput {
-    if (this.src !== "" || this.#input !== null) return "";
-    if (this.ownerDocument.readyState === "loading" || pagesIn(this).length === 0) return "";
-    return async () => {
-      const { HtmlPages } = await loadPart(import("./sources/html/html_pages.ts"));
-      return new HtmlPages(pagesIn(this), this);
-    };
   }
 
   /** The options in the attributes: lists of pages name them as they lie now. */

@@ -165,11 +165,19 @@ function makeChoice(
 }
 
 function makeStock(texts: Texts, change: Change): Part {
-  const names = ["own", ...presets.map(({ name }) => name)] as const;
   const { element, select } = makeChoice(
     "set-stock",
     texts.preset,
-    names.map((name) => [name, texts.stocks[name]]),
+    [
+      ["own", texts.stocks.own],
+      ...presets.map(({ name, settings: { grammage } }): [string, string] => [
+        name,
+        fill(texts.stocks.preset, {
+          name: texts.stockNames[name] ?? inTitle(name),
+          grammage: String(grammage),
+        }),
+      ]),
+    ],
     (chosen) => change(presets.find(({ name }) => name === chosen)?.settings ?? {}),
   );
   const show = (settings: Settings): void => {
@@ -180,6 +188,11 @@ function makeStock(texts: Texts, change: Change): Part {
     select.value = same?.name ?? "own";
   };
   return { element, show };
+}
+
+/** Returns a word as it begins a line of a list. */
+function inTitle(word: string): string {
+  return `${word.charAt(0).toUpperCase()}${word.slice(1)}`;
 }
 
 function makePace(texts: Texts, change: Change): Part {

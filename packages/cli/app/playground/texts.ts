@@ -21,7 +21,10 @@ export interface Texts {
       string
     >
   >;
-  readonly stocks: Readonly<Record<"own" | LeafStockName, string>>;
+  /** What no stock is, and how a stock is listed. */
+  readonly stocks: Readonly<Record<"own" | "preset", string>>;
+  /** The names of stocks, where these are not the words by which a page chooses them. */
+  readonly stockNames: Readonly<Partial<Record<LeafStockName, string>>>;
   readonly preset: string;
   readonly turns: Readonly<Record<"edge" | "corner" | "let-go", string>>;
   readonly pause: string;
@@ -112,12 +115,9 @@ const en: Texts = {
   },
   stocks: {
     own: "As set below",
-    bible: "Bible, 30 g/m²",
-    book: "Book, 70 g/m²",
-    office: "Office, 80 g/m²",
-    coated: "Coated, 170 g/m²",
-    card: "Card, 250 g/m²",
+    preset: "{name}, {grammage} g/m²",
   },
+  stockNames: {},
   preset: "Stock",
   turns: { edge: "Turn by edge", corner: "Turn by corner", "let-go": "Let go half-way" },
   pause: "Pause",
@@ -222,11 +222,14 @@ const zh: Texts = {
   },
   stocks: {
     own: "如下设定",
-    bible: "圣经纸，30 g/m²",
-    book: "书纸，70 g/m²",
-    office: "复印纸，80 g/m²",
-    coated: "铜版纸，170 g/m²",
-    card: "卡纸，250 g/m²",
+    preset: "{name}，{grammage} g/m²",
+  },
+  stockNames: {
+    bible: "圣经纸",
+    book: "书纸",
+    office: "复印纸",
+    coated: "铜版纸",
+    card: "卡纸",
   },
   preset: "纸种",
   turns: { edge: "由边翻页", corner: "由角翻页", "let-go": "半途松手" },

@@ -2,8 +2,8 @@
 
 import { createHash } from "node:crypto";
 import type { ServedBook } from "../book.ts";
-import { fileProblem, Problem, printable } from "../problem.ts";
-import { openRegular } from "../regular_file.ts";
+import { fileProblem } from "../problem.ts";
+import { openNamed } from "../regular_file.ts";
 
 /** Returns a hash of values that can be written as JSON. */
 export function hashOf(...values: readonly unknown[]): string {
@@ -26,10 +26,7 @@ export async function contentHash(book: ServedBook): Promise<string> {
 }
 
 async function addFile(hash: ReturnType<typeof createHash>, path: string): Promise<void> {
-  const handle = await openRegular(path).catch((error: unknown) => {
-    throw fileProblem(path, error);
-  });
-  if (!handle) throw new Problem(`${printable(path)} is not a regular file; name another.`);
+  const handle = await openNamed(path);
   try {
     for await (const piece of handle.createReadStream({ autoClose: false })) {
       hash.update(piece as Buffer);

@@ -1,7 +1,7 @@
 /** The paper of a book's leaves, their binding and the air around them. */
 
 import type { BookEngine } from "../engine/book_engine.ts";
-import { type Stock, type StockFigures, stocks, type Vec3 } from "../engine/shapes.ts";
+import type { Stock, StockFigures, Vec3 } from "../engine/shapes.ts";
 import type { StockRun } from "./leaf_stocks.ts";
 
 /** The paper of a book. Missing or invalid values fall back to their defaults. */
@@ -49,11 +49,6 @@ interface DrawnPage {
 export function scaleOf(width: number | undefined, page: DrawnPage): number {
   if (width === undefined || !(width >= 0.005 && width <= 5)) return 1;
   return width / (page.quarterTurned ? page.height : page.width);
-}
-
-/** Returns whether a word names a preset stock. */
-export function isStock(word: unknown): word is Stock {
-  return (stocks as readonly unknown[]).includes(word);
 }
 
 /**

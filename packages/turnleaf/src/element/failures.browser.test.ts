@@ -23,6 +23,32 @@ test("a book that is not there says so in the element's language, and what faile
   expect(element.shadowRoot?.querySelector("[part=message]")?.textContent).toBe(message);
 });
 
+test("a book that failed while its page was being parsed is not tried again once that is parsed", async () => {
+  const loading = vi.spyOn(document, "readyState", "get").mockReturnValue("loading");
+  const element = document.createElement("turnleaf-book");
+  element.src = "/none.pdf";
+  const errors = vi.fn();
+  element.addEventListener("error", errors);
+  document.body.append(element);
+  await happens(element, "error");
+  loading.mockRestore();
+  document.dispatchEvent(new Event("DOMContentLoaded"));
+  expect(element.isOpening).toBe(false);
+  expect(errors).toHaveBeenCalledTimes(1);
+});
+
+test("children that are parsed after their element are its pages", async () => {
+  const loading = vi.spyOn(document, "readyState", "get").mockReturnValue("loading");
+  const element = document.createElement("turnleaf-book");
+  document.body.append(element);
+  element.append(document.createElement("section"), document.createElement("section"));
+  expect(element.isOpening).toBe(false);
+  loading.mockRestore();
+  document.dispatchEvent(new Event("DOMContentLoaded"));
+  await happens(element, "load");
+  expect(element.pageCount).toBe(2);
+});
+
 test("a page that takes long says so in the element's language, and the others are drawn", async () => {
   const fetch = globalThis.fetch;
   vi.spyOn(globalThis, "fetch").mockImplementation((input, init) =>

@@ -151,6 +151,9 @@ test("pages that are inserted into a leaf while it is torn out stay in the book"
       return changePages(change);
     });
   });
+  const events: string[] = [];
+  element.addEventListener("torn", ({ detail }) => events.push(`torn ${detail.pages}`));
+  element.addEventListener("pageschange", ({ detail }) => events.push(`pages ${detail.pageCount}`));
   const torn = element.tearOut(5);
   await clock.until(() => element.state !== "resting");
   const inserted = [
@@ -164,6 +167,8 @@ test("pages that are inserted into a leaf while it is torn out stay in the book"
   expect(await torn).toBe(true);
   await clock.until(() => element.pageCount === 12);
   expect(await Promise.all(inserted)).toEqual([true, true]);
+  // Listeners have heard of no other numbers when the leaf comes off.
+  expect(events).toEqual(["pages 11", "torn 5,6", "pages 11", "pages 12"]);
   await clock.until(() => element.settled);
   expect(labels(element)).toBe("first p1 p2 p3 p4 new p7 p8 p9 p10 p11 p12");
   expect(element.bookmarks).toEqual([5, 9]);

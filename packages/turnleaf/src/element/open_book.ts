@@ -7,6 +7,7 @@ import { Input } from "../input/input.ts";
 import type { Gesture } from "../input/target.ts";
 import type { PageList } from "../sources/page_list.ts";
 import type { NewIndex } from "../sources/page_source.ts";
+import type { MovedPages } from "../viewer/moved_pages.ts";
 import type { Viewer } from "../viewer/viewer.ts";
 import { languageOf } from "../words/languages.ts";
 import { allowsGesture } from "./attribute_options.ts";
@@ -102,18 +103,30 @@ export class OpenBook {
    * @param followed called once what names pages has followed them, before the book is bound anew
    */
   async changePages(change: () => NewIndex, followed?: () => void): Promise<boolean> {
-    const isMade = await this.viewer.changePages(() => {
-      const { pageCount } = this.source;
-      const moved = this.elements.after(change);
-      // Changes that wait for the same rest are made one after the other, and then reported.
-      this.#hooks.renumbered(moved, pageCount);
-      followed?.();
-      const lists = this.#hooks.lists();
-      const folds = [...lists.dogEars, ...lists.folds];
-      return { moved, lists: layoutLists(lists), folds };
-    });
+    const isMade = await this.viewer.changePages(() => this.#change(change, followed));
     if (isMade) this.reading.changed();
     return isMade;
+  }
+
+  /**
+   * Changes the pages at once, as `changePages` does: call it where the viewer, which is at rest, asks
+   * for it and binds the book by what this returns. Throws what `change` throws.
+   */
+  changeNow(change: () => NewIndex, followed: () => void): MovedPages {
+    const pages = this.#change(change, followed);
+    this.reading.changed();
+    return pages;
+  }
+
+  #change(change: () => NewIndex, followed?: () => void): MovedPages {
+    const { pageCount } = this.source;
+    const moved = this.elements.after(change);
+    // Changes that wait for the same rest are made one after the other, and then reported.
+    this.#hooks.renumbered(moved, pageCount);
+    followed?.();
+    const lists = this.#hooks.lists();
+    const folds = [...lists.dogEars, ...lists.folds];
+    return { moved, lists: layoutLists(lists), folds };
   }
 
   /**

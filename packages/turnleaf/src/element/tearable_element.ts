@@ -125,7 +125,7 @@ export abstract class TearableElement extends TurningElement {
   protected tearOwner(heard: (work: number) => void): TearOwner {
     return {
       mayTear: (pages) => this.ask("tear", { pages }),
-      takeOut: (pages) => this.#torn?.takeOut(pages) ?? null,
+      takeOut: (pages, moved) => this.#torn?.takeOut(pages, moved) ?? null,
       heard,
     };
   }

@@ -5,7 +5,8 @@
 
 import type { PageList } from "../sources/page_list.ts";
 import type { ListedPages } from "../sources/page_order.ts";
-import { BookError } from "../sources/page_source.ts";
+import { BookError, type NewIndex } from "../sources/page_source.ts";
+import type { MovedPages, TakenPages } from "../viewer/moved_pages.ts";
 import type { OpenBook } from "./open_book.ts";
 import { joinedLists, listsAmong, movedLists, type PageLists } from "./page_lists.ts";
 import { cleanPages } from "./page_numbers.ts";
@@ -69,33 +70,31 @@ export class TornPages {
   }
 
   /** Takes pages (from 1) out of the book, as `TearOwner` says. */
-  takeOut(pages: readonly number[]): number | null {
+  takeOut(pages: readonly number[], moved: NewIndex): TakenPages | null {
     const book = this.#host.book();
     if (book === null) return null;
-    const leaf = book.source.order.pagesAt(pages.map((page) => page - 1));
+    const { source } = book;
+    const indices = pages.map((page) => moved(page - 1)).filter((index) => index !== null);
+    const leaf = source.order.pagesAt(indices);
+    const named = indices.map((index) => index + 1);
+    const lists = listsAmong(this.#host.lists, named, source.pageCount);
+    const keepFaces = this.#facesAfter(source, leaf);
+    let changed: MovedPages;
+    try {
+      changed = book.changeNow(() => source.order.takeOut(leaf), keepFaces);
+    } catch (error) {
+      // A book keeps its last page, and the leaf's own may have been removed meanwhile.
+      if (error instanceof BookError) return null;
+      throw error;
+    }
     const id = ++this.#lastId;
-    const lists = listsAmong(this.#host.lists, pages, book.source.pageCount);
-    let isOut = false;
-    let keepFaces = noFaces;
-    // The viewer lies at rest: the change is made at once, after those that waited for that.
-    const made = book.changePages(
-      () => {
-        keepFaces = this.#facesAfter(book.source, leaf);
-        const moved = book.source.order.takeOut(leaf);
-        this.#leaves.push({ id, pages: leaf, lists, keepsFaces: keepFaces !== noFaces });
-        isOut = true;
-        return moved;
-      },
-      () => keepFaces(),
-    );
-    // A book keeps its last page, and the leaf's own may have been removed meanwhile.
-    made.catch((error: unknown) => {
-      if (!(error instanceof BookError)) throw error;
+    this.#leaves.push({ id, pages: leaf, lists, keepsFaces: keepFaces !== noFaces });
+    // The viewer binds the book first.
+    queueMicrotask(() => {
+      this.#host.changed();
+      this.#host.torn(pages);
     });
-    if (!isOut) return null;
-    this.#host.changed();
-    this.#host.torn(pages);
-    return id;
+    return { id, ...changed };
   }
 
   /** Puts the pages that were torn out last back. They lie open then. Resolves to whether there were any. */

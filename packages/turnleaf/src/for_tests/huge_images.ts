@@ -1,8 +1,5 @@
 /** The beginnings of images that claim 50,000 by 50,000 pixels, by their format; for tests only. */
 
-/** The pixels that they claim across and down. */
-export const hugeSide = 50_000;
-
 const hex = (digits: string): Uint8Array<ArrayBuffer> =>
   Uint8Array.from(digits.replaceAll(" ", "").match(/../g) ?? [], (two) => Number.parseInt(two, 16));
 

@@ -35,11 +35,6 @@ export class CameraMotion {
     this.#stage.zoom = view.level > 1 ? view : this.#home;
   }
 
-  /** Whether the camera is moving. */
-  get isGliding(): boolean {
-    return this.#glide !== null;
-  }
-
   /**
    * Shows the book at a level (1 to 8) so that the point seen at `from` comes
    * to `to`, clamped to the book.

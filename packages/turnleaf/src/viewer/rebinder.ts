@@ -1,7 +1,5 @@
 /** Binds one book: at first, and again when its pages or its options change. */
 
-import type { Fold } from "../book/creases.ts";
-import type { LayoutLists } from "../book/moved_lists.ts";
 import { applyPaper, type Paper, scaleOf } from "../book/paper.ts";
 import { type Binding, type Layout, pageOf, pagesAt, spineOf, spreadOf } from "../book/spreads.ts";
 import type { BookEngine, BookSize } from "../engine/book_engine.ts";
@@ -17,16 +15,8 @@ import {
   layOutBinding,
 } from "./bound_book.ts";
 import type { DragTargets } from "./drag.ts";
+import type { MovedPages } from "./moved_pages.ts";
 import { defaultBinding, type ViewerOptions } from "./viewer_options.ts";
-
-/** Pages that lie elsewhere now, and what names them. */
-export interface MovedPages {
-  readonly moved: NewIndex;
-  /** The options of the layout that name pages, by their numbers of now. */
-  readonly lists: LayoutLists;
-  /** The folds of pages, likewise. */
-  readonly folds: readonly Fold[];
-}
 
 /** The dependencies of a rebinder. */
 export interface RebinderParts {
@@ -59,8 +49,10 @@ export class Rebinder {
   #mustBind = false;
   /** Makes the next books in the place of the engine of the book as it is. */
   #nextEngine: BookEngine | null = null;
-  /** Waiting changes of the pages. */
-  readonly #changes: (() => void)[] = [];
+  /** Waiting changes of the pages. Each returns where these lie after it; null if it was not made. */
+  readonly #changes: (() => NewIndex | null)[] = [];
+  /** Whether pages have other numbers than those by which the book is bound. */
+  #isRenumbered = false;
   /** Paper that waits for the leaves in flight to land. */
   #nextPaper: Paper | null = null;
   #closed = false;
@@ -87,11 +79,6 @@ export class Rebinder {
   /** Whether `bindAnew` has something to do. */
   get hasPending(): boolean {
     return this.#mustBind || this.#changes.length > 0;
-  }
-
-  /** Whether `bindAnew` will change the pages, whose numbers may be others then. */
-  get willRenumber(): boolean {
-    return this.#changes.length > 0;
   }
 
   /** Changes options of the binding. Options left out stay as they were. */
@@ -129,19 +116,33 @@ export class Rebinder {
     if (this.#closed) return Promise.resolve(false);
     return new Promise((resolve, reject) => {
       this.#changes.push(() => {
-        if (this.#closed) return resolve(false);
+        let moved: NewIndex | null = null;
         try {
-          const { moved, lists } = change();
-          this.#parts.pictures.renumber(moved);
-          this.#options = { ...this.#options, ...lists };
-          this.#place = placeOf(moved, this.#place - 1) + 1;
-          this.#mustBind = true;
-          resolve(true);
+          if (!this.#closed) moved = this.follow(change());
+          resolve(moved !== null);
         } catch (error) {
           reject(error);
         }
+        return moved;
       });
     });
+  }
+
+  /** Follows pages that lie elsewhere now, by whose numbers the book is bound next. Returns where they lie. */
+  follow({ moved, lists }: MovedPages): NewIndex {
+    this.#parts.pictures.renumber(moved);
+    this.#options = { ...this.#options, ...lists };
+    this.#place = placeOf(moved, this.#place - 1) + 1;
+    this.#mustBind = true;
+    this.#isRenumbered = true;
+    return moved;
+  }
+
+  /** Makes the waiting changes of the pages. Returns where those from before lie now. */
+  makeChanges(): NewIndex {
+    const made = this.#changes.splice(0).flatMap((change) => change() ?? []);
+    return (index) =>
+      made.reduce<number | null>((at, moved) => (at === null ? null : moved(at)), index);
   }
 
   /** Changes the paper: at once, or as soon as no leaf is in flight. */
@@ -176,14 +177,15 @@ export class Rebinder {
 
   /**
    * Applies waiting changes and keeps the visible page in sight; only while
-   * nothing moves.
+   * nothing moves. Returns whether pages may have other numbers since.
    *
    * @param room the available space, CSS pixels
    */
-  bindAnew(room: PageSize): void {
-    for (const change of this.#changes.splice(0)) change();
-    if (!this.#mustBind) return;
-    this.#mustBind = false;
+  bindAnew(room: PageSize): boolean {
+    this.makeChanges();
+    if (!this.#mustBind) return false;
+    const isRenumbered = this.#isRenumbered;
+    this.#mustBind = this.#isRenumbered = false;
     const before = this.#bound;
     const plan = this.#plan(room);
     this.#usual = plan.usual;
@@ -194,12 +196,13 @@ export class Rebinder {
     this.#nextEngine?.destroy();
     this.#nextEngine = null;
     before.destroy();
+    return isRenumbered;
   }
 
   /** Stops all motion and frees the engine's book. */
   close(): void {
     this.#closed = true;
-    for (const change of this.#changes.splice(0)) change();
+    this.makeChanges();
     this.#bound.destroy();
     this.#nextEngine?.destroy();
   }

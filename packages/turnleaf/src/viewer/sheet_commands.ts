@@ -7,12 +7,10 @@ import type { TearLine } from "../engine/shapes.ts";
 import type { PageBitmaps } from "../pages/page_bitmaps.ts";
 import type { BookPose } from "../stage/book_pose.ts";
 import type { BookStage } from "../stage/book_stage.ts";
-import type { Zoom } from "../stage/zoom.ts";
 import type { Backend } from "./backend.ts";
-import type { BookExtent } from "./book_extent.ts";
 import type { Folds } from "./folds.ts";
 import type { Rebinder } from "./rebinder.ts";
-import type { Tearing } from "./tearing.ts";
+import type { TearHooks, Tearing, TearView } from "./tearing.ts";
 import type { ViewerOptions } from "./viewer_options.ts";
 
 /** What folding and tearing need of a book. */
@@ -25,21 +23,11 @@ export interface SheetParts {
 }
 
 /** What they need of its viewer. */
-export interface SheetHooks {
-  /** Something else is to be seen: a frame should show it. */
-  readonly moved: () => void;
+export interface SheetHooks extends TearView {
   /** Has what waits for the book's rest done as soon as it rests. */
   readonly bindSoon: () => void;
   /** Lets a corner fall that is lifted. Resolves, once it lies, to whether the book rests. */
   readonly dropCorner: () => Promise<boolean>;
-  /** Lays the book open at a spread, where its place is from then on. */
-  readonly lay: (spread: number) => void;
-  /** How large the book is shown. */
-  readonly extent: Pick<BookExtent, "canvas" | "contains">;
-  /** Calls `look` with the camera as it is when it shows the whole book and nothing else. */
-  readonly lookAtRest: <T>(look: () => T) => T;
-  /** Sets what is shown at zoom level 1, in so many seconds. */
-  readonly showWhole: (whole: Zoom, seconds: number) => void;
 }
 
 /** Folds the leaves of one book and tears them out, however it is bound. */
@@ -213,17 +201,11 @@ export class SheetCommands {
     try {
       const [loaded] = await Promise.all([backend.tearing?.(), this.useCreasable()]);
       if (loaded && owner) {
-        const { moved, lay, extent, lookAtRest, showWhole } = this.#hooks;
-        const hooks = {
+        const hooks: TearHooks = {
+          ...this.#hooks,
           line: () => this.#line,
-          mayTear: (pages: readonly number[]) => owner.mayTear(pages),
-          takeOut: (pages: readonly number[]) => owner.takeOut(pages),
-          heard: (work: number) => owner.heard(work),
-          moved,
-          lay,
-          extent,
-          lookAtRest,
-          showWhole,
+          mayTear: (pages) => owner.mayTear(pages),
+          heard: (work) => owner.heard(work),
         };
         this.#loadedTearing = new loaded.Tearing(rebinder, bitmaps, stage, hooks);
       }

@@ -51,20 +51,29 @@ const commandSpeed = 0.6;
 /** Seconds after which a command cuts what its pull has not torn. */
 const longestPull = 2;
 
-/** What tearing needs of the viewer, and of the owner of the book's pages. */
-export interface TearHooks extends TearOwner {
-  /** Returns how the leaves are bound; null if none may be torn out now. */
-  readonly line: () => TearLine | null;
+/** What tearing needs of the viewer. */
+export interface TearView {
   /** Something moves: a frame should show it. */
   readonly moved: () => void;
   /** Lays the book open at a spread, where its place is from then on. */
   readonly lay: (spread: number) => void;
+  /**
+   * Takes the pages (from 1) of a leaf that is off out of the book, and binds it without them.
+   * Returns the number of its sheet; null if they cannot be taken out.
+   */
+  readonly takeOut: (pages: readonly number[]) => number | null;
   /** How large the book is shown. */
   readonly extent: Pick<BookExtent, "canvas" | "contains">;
   /** Calls `look` with the camera as it is when it shows the whole book and nothing else. */
   readonly lookAtRest: <T>(look: () => T) => T;
   /** Sets what is shown at zoom level 1, in so many seconds. */
   readonly showWhole: (whole: Zoom, seconds: number) => void;
+}
+
+/** What it needs of the viewer, and of the owner of the book's pages. */
+export interface TearHooks extends TearView, Pick<TearOwner, "mayTear" | "heard"> {
+  /** Returns how the leaves are bound; null if none may be torn out now. */
+  readonly line: () => TearLine | null;
 }
 
 /** A leaf that is being torn. */

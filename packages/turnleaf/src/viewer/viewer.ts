@@ -35,7 +35,8 @@ import { type BitmapWidths, bitmapWidths } from "./face_textures.ts";
 import { FoldOut } from "./fold_out.ts";
 import { FrameLoop } from "./frame_loop.ts";
 import { LeafCommands } from "./leaf_commands.ts";
-import { type MovedPages, Rebinder } from "./rebinder.ts";
+import type { MovedPages } from "./moved_pages.ts";
+import { Rebinder } from "./rebinder.ts";
 import { Sharpness } from "./sharpness.ts";
 import { SheetCommands } from "./sheet_commands.ts";
 import { defaultBinding, type ViewerOptions } from "./viewer_options.ts";
@@ -143,6 +144,7 @@ export class Viewer {
         bindSoon: () => this.#bindSoon(),
         dropCorner: () => this.commands.dropCorner(),
         lay: (spread) => this.#layBare(spread),
+        takeOut: (pages) => this.#takeOut(pages),
         extent: this.extent,
         lookAtRest: (look) => this.#camera.lookAtRest(look),
         showWhole: (whole, seconds) => {
@@ -258,15 +260,29 @@ export class Viewer {
    * @param change changes the source and returns where its pages lie now, and what names them
    */
   changePages(change: () => MovedPages): Promise<boolean> {
-    const changed = this.#rebinder.change(() => {
-      const pages = change();
-      const { leaf } = this.#source;
-      if (leaf) this.#cutLeaves(leaf);
-      this.sheets.keepFolds(pages.folds);
-      return pages;
-    });
+    const changed = this.#rebinder.change(() => this.#changed(change()));
     this.#bindSoon();
     return changed;
+  }
+
+  /** Gives the leaves the size and the folds of the pages that there are now. */
+  #changed(pages: MovedPages): MovedPages {
+    const { leaf } = this.#source;
+    if (leaf) this.#cutLeaves(leaf);
+    this.sheets.keepFolds(pages.folds);
+    return pages;
+  }
+
+  /**
+   * Takes the pages (from 1) of a leaf that has come off out of the book, which lies at rest and is
+   * bound without them at once. Returns the number of its sheet; null if its owner keeps them.
+   */
+  #takeOut(pages: readonly number[]): number | null {
+    const rebinder = this.#rebinder;
+    const taken = this.#options.tearing?.takeOut(pages, rebinder.makeChanges()) ?? null;
+    if (taken !== null) rebinder.follow(this.#changed(taken));
+    this.#bindSoon();
+    return taken?.id ?? null;
   }
 
   /**
@@ -538,8 +554,7 @@ export class Viewer {
     this.#sharpness.close();
     const before = this.binding;
     const page = pageOf(before, this.turning.spread);
-    const isRenumbered = this.#rebinder.willRenumber;
-    this.#rebinder.bindAnew(this.extent.room);
+    const isRenumbered = this.#rebinder.bindAnew(this.extent.room);
     this.sheets.bound();
     this.#frames.bound();
     const { edge, layout } = this.binding;

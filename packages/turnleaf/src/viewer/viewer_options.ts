@@ -3,19 +3,24 @@
 import type { DogEar } from "../book/dog_ears.ts";
 import type { Paper } from "../book/paper.ts";
 import type { ModelChoice } from "../leaf_models/model_choice.ts";
-import type { BookError } from "../sources/page_source.ts";
+import type { BookError, NewIndex } from "../sources/page_source.ts";
 import type { BookPose } from "../stage/book_pose.ts";
 import type { BindingOptions } from "./bound_book.ts";
+import type { TakenPages } from "./moved_pages.ts";
 
 /** What tearing leaves out asks of the owner of the book's pages. */
 export interface TearOwner {
   /** Returns whether the leaf with these pages (from 1) may be torn out, as it begins to tear. */
   mayTear(pages: readonly number[]): boolean;
   /**
-   * Takes the pages out of the book's source, and has the viewer change them at once. Returns a
-   * number for the sheet; null if they cannot be taken out.
+   * Takes the pages of a leaf that is off out of the book's source; the viewer binds the book
+   * without them once this returns. Returns null if they cannot be taken out.
+   *
+   * @param pages their numbers (from 1) when the leaf came off
+   *
+   * @param moved where the pages of then lie now, as changes have been made that waited for it
    */
-  takeOut(pages: readonly number[]): number | null;
+  takeOut(pages: readonly number[], moved: NewIndex): TakenPages | null;
   /** Work was done in tearing, J. */
   heard(work: number): void;
 }

@@ -5,7 +5,7 @@ import { cleanLanguage, cleanText, decodeEscapes } from "../book_text.ts";
 import { decodeText } from "../decode_text.ts";
 import { unknownFailure } from "../failures.ts";
 import { limits } from "../limits.ts";
-import { cleanMarkup, type MarkupFiles } from "../markup/clean_markup.ts";
+import { checkElements, cleanMarkup, type MarkupFiles } from "../markup/clean_markup.ts";
 import { parseMarkup } from "../markup/parse_markup.ts";
 import { readMarkup } from "../markup/read_markup.ts";
 import { type BookDetail, BookError, type PageSource, type Typography } from "../page_source.ts";
@@ -120,12 +120,7 @@ async function readFb2(text: string, file: Blob, name: string): Promise<FlowBook
       source: name,
     });
   }
-  if (document.getElementsByTagName("*").length > limits.elements) {
-    throw new BookError(`${name} has more than ${limits.elements} elements; split it.`, {
-      code: "tooLarge",
-      source: name,
-    });
-  }
+  checkElements(document, name);
   const root = document.documentElement;
   const info = childOf(childOf(root, "description"), "title-info");
   const parts = partsOf(root, info);

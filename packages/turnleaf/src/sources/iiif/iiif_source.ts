@@ -298,13 +298,7 @@ class IiifSource implements PageSource {
       for (const part of waiting) {
         const blob = await this.#image(index, part.url, signal);
         await this.#pixels(index, blob);
-        const bitmap = await createImageBitmap(blob).catch(() => {
-          throw new BookError(`${this.#place(index)} is damaged or no image; try again later.`, {
-            code: "damaged",
-            page: index + 1,
-            source: this.#book.name,
-          });
-        });
+        const bitmap = await this.#decoded(index, blob);
         const from = info ? part.box : { x: 0, y: 0, width: bitmap.width, height: bitmap.height };
         const to = {
           x: on.x + (from.x - crop.x) / across,
@@ -337,18 +331,21 @@ class IiifSource implements PageSource {
   }
 
   async #decodedSize(index: number, image: Blob): Promise<PageSize> {
-    try {
-      const bitmap = await createImageBitmap(image);
-      const { width, height } = bitmap;
-      bitmap.close();
-      return { width, height };
-    } catch {
+    const bitmap = await this.#decoded(index, image);
+    const { width, height } = bitmap;
+    bitmap.close();
+    return { width, height };
+  }
+
+  /** Decodes an image of a page. Rejects with a `BookError` if it is none. */
+  async #decoded(index: number, image: Blob): Promise<ImageBitmap> {
+    return await createImageBitmap(image).catch(() => {
       throw new BookError(`${this.#place(index)} is damaged or no image; try again later.`, {
         code: "damaged",
         page: index + 1,
         source: this.#book.name,
       });
-    }
+    });
   }
 
   async #image(index: number, url: string, signal: AbortSignal): Promise<Blob> {

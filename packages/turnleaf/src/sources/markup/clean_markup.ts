@@ -79,12 +79,7 @@ export async function cleanMarkup(
   files: MarkupFiles,
   name: string,
 ): Promise<FlowContent> {
-  if (document.getElementsByTagName("*").length > limits.elements) {
-    throw new BookError(`${name} has more than ${limits.elements} elements; split it.`, {
-      code: "tooLarge",
-      source: name,
-    });
-  }
+  checkElements(document, name);
   resolveSwitches(document, (element, language) => {
     element.before(placeOfLost(element, "embedded", language || "epub:switch", files));
   });
@@ -425,4 +420,19 @@ async function cleanStyle(element: Element, picture: ResolveCss): Promise<void> 
   const clean = own === "" ? "" : await cleanStyleAttribute(own, picture);
   if (clean === "") element.removeAttribute(styleAttribute);
   else element.setAttribute(styleAttribute, clean);
+}
+
+/**
+ * Checks that a document does not have more elements than are read.
+ *
+ * @param name the document's name in sentences
+ *
+ * @throws BookError if it has
+ */
+export function checkElements(document: Document, name: string): void {
+  if (document.getElementsByTagName("*").length <= limits.elements) return;
+  throw new BookError(`${name} has more than ${limits.elements} elements; split it.`, {
+    code: "tooLarge",
+    source: name,
+  });
 }
