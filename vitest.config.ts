@@ -22,6 +22,7 @@ const sources = "packages/turnleaf/src/sources/**/!(preparing).browser.test.ts";
 /** Tests of which modules are loaded when, and of all that a page has for assistive technology. */
 const alone = [
   "packages/turnleaf/src/canvas2d/canvas2d.browser.test.ts",
+  "packages/turnleaf/src/element/opening.browser.test.ts",
   "packages/turnleaf/src/sources/preparing.browser.test.ts",
   "packages/turnleaf/src/text/text_layer.browser.test.ts",
 ];
