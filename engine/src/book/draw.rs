@@ -392,21 +392,29 @@ mod tests {
 
     const WIDTH: f32 = 0.14;
 
-    /// A flight that lies on a side and is drawn level at a height, metres.
-    fn level(side: Side, height: f32) -> Flight {
+    /// A flight that lies on a side and is drawn at places by u and v, 0 to 1.
+    fn drawn(side: Side, place: impl Fn(f32, f32) -> [f32; 3]) -> Flight {
         let columns = 4 * NODES[0] - 3;
         let u: Vec<f32> = (0..columns)
             .map(|column| column as f32 / (columns - 1) as f32)
             .collect();
-        let leaf = Leaf::new([f64::from(WIDTH), 0.21], &Paper::default(), 0.0, (&u, 27));
-        let mut flight = Flight::new(leaf, &u, 27);
+        let rows = 27;
+        let leaf = Leaf::new([f64::from(WIDTH), 0.21], &Paper::default(), 0.0, (&u, rows));
+        let mut flight = Flight::new(leaf, &u, rows);
         flight.take_up(0, side, 0, 1);
-        for point in flight.override_surface().as_chunks_mut::<3>().0 {
-            point[2] = height;
+        let points = flight.override_surface().as_chunks_mut::<3>().0;
+        for (node, point) in points.iter_mut().enumerate() {
+            let v = (node / columns) as f32 / (rows - 1) as f32;
+            *point = place(u[node % columns], v);
         }
         flight.want();
         flight.draw_again(false);
         flight
+    }
+
+    /// A flight that lies on a side and is drawn level at a height, metres.
+    fn level(side: Side, height: f32) -> Flight {
+        drawn(side, |u, v| [side.sign() * WIDTH * u, 0.21 * v, height])
     }
 
     /// Least and greatest height of what is drawn of a flight on its outer half, metres.
@@ -442,25 +450,6 @@ mod tests {
         }
     }
 
-    /// A flight that lies on the right and is drawn at places by u and v, 0 to 1.
-    fn drawn(place: impl Fn(f32, f32) -> [f32; 3]) -> Flight {
-        let mut flight = level(Side::Right, 0.0);
-        let count = flight.surface().positions.len() / 3;
-        let columns = flight.surface().columns;
-        let u = |node: usize| flight.surface().positions[3 * node] / WIDTH;
-        let u: Vec<f32> = (0..columns).map(u).collect();
-        let rows = (count / columns - 1) as f32;
-        for (node, point) in { flight.override_surface().as_chunks_mut::<3>().0 }
-            .iter_mut()
-            .enumerate()
-        {
-            *point = place(u[node % columns], (node / columns) as f32 / rows);
-        }
-        flight.want();
-        flight.draw_again(false);
-        flight
-    }
-
     /// The fore-edge of the uppermost of three hangs over that of the middle one, which reaches less
     /// far, and into the lowest.
     #[test]
@@ -471,9 +460,9 @@ mod tests {
             [WIDTH * u, 0.21 * v, z]
         };
         let mut order = [
-            drawn(hanging),
-            drawn(flat(0.95, 1.2e-3)),
-            drawn(flat(1.0, 1e-3)),
+            drawn(Side::Right, hanging),
+            drawn(Side::Right, flat(0.95, 1.2e-3)),
+            drawn(Side::Right, flat(1.0, 1e-3)),
         ];
         let book = Book::new(f64::from(WIDTH), 0.21, 10, 0.001).unwrap();
         let [right, left] = &book.piles;
@@ -489,7 +478,10 @@ mod tests {
         let sloping =
             |end: f32| move |u: f32, v: f32| [WIDTH * u, 0.21 * v, 2e-3 + end * (2.0 * u - 1.0)];
         for (end, is_through) in [(0.03e-3, false), (-0.03e-3, false), (-0.5e-3, true)] {
-            let mut pair = [drawn(sloping(end)), drawn(sloping(0.0))];
+            let mut pair = [
+                drawn(Side::Right, sloping(end)),
+                drawn(Side::Right, sloping(0.0)),
+            ];
             pair.iter_mut().for_each(Flight::cut_drawn);
             let [over, under] = &pair;
             let work = &mut Work::new(u32::MAX);

@@ -134,12 +134,17 @@ struct Probe {
     near: u16,
 }
 
-/// Whether a set of nodes has any that a cell has in common with one of them.
+/// Whether one of a set of nodes is a corner of a cell around a node.
 fn is_any_next_to(set: &[bool], columns: usize, node: u16) -> bool {
     let (column, row) = (usize::from(node) % columns, usize::from(node) / columns);
     let columns_next = column.saturating_sub(1)..(column + 2).min(columns);
     (row.saturating_sub(1)..(row + 2).min(set.len() / columns))
         .any(|row| set[row * columns..][columns_next.clone()].contains(&true))
+}
+
+/// Whether a point of a surface, by its column and row, is on its rim: all around it but at the spine.
+pub fn is_rim(surface: &Surface, column: usize, row: usize) -> bool {
+    column + 1 == surface.columns || row == 0 || row + 1 == surface.rows
 }
 
 /// The points of a surface that are to be looked at, and the ends of the edges: of
@@ -157,9 +162,8 @@ fn probes(
     for node in 0..columns * rows {
         let (column, row) = (node % columns, node / columns);
         let edges = thorough && bends[node] > BENT * scale;
-        let is_rim = column + 1 == columns || row == 0 || row + 1 == rows;
         // The column at the spine is everyone's.
-        if column == 0 || !(all || edges || is_rim) || !close(column, row) {
+        if column == 0 || !(all || edges || is_rim(surface, column, row)) || !close(column, row) {
             continue;
         }
         let mut push = |end: usize| {
@@ -295,6 +299,24 @@ mod tests {
         bends
     }
 
+    /// Moves a leaf off one under it, all of which may touch; how either bends counts if `thorough`.
+    fn separate_whole(upper: &mut Surface, lower: &Surface, thorough: bool) {
+        let (own, other) = (bends(upper), bends(lower));
+        let drawn = DrawnLeaf {
+            surface: lower,
+            bends: &other,
+            folds: Folds::default(),
+        };
+        separate(
+            (upper, &own, Folds::default()),
+            &drawn,
+            [1.0; 2],
+            thorough,
+            [&|_, _| true; 2],
+            &mut Work::new(u32::MAX),
+        );
+    }
+
     /// The fore-edge of a lower leaf, bent up through an upper one between two columns of that.
     #[test]
     fn facets_are_pushed_off_a_rim_that_ends_between_their_points() {
@@ -304,20 +326,7 @@ mod tests {
             point[0] -= 0.005;
         }
         lower.update_normals();
-        let (own, other) = ([0.0; 63], [0.0; 63]);
-        let drawn = DrawnLeaf {
-            surface: &lower,
-            bends: &other,
-            folds: Folds::default(),
-        };
-        separate(
-            (&mut upper, &own, Folds::default()),
-            &drawn,
-            [1.0; 2],
-            false,
-            [&|_, _| true; 2],
-            &mut Work::new(u32::MAX),
-        );
+        separate_whole(&mut upper, &lower, false);
         let points = upper.positions.as_chunks::<3>().0;
         for row in 0..7 {
             let over = 0.5 * (points[9 * row + 7][2] + points[9 * row + 8][2]);
@@ -349,20 +358,7 @@ mod tests {
         lower.update_normals();
         let highest = |surface: &Surface| surface.positions[3 * 31 + 2];
         assert!(highest(&lower) > 5e-4);
-        let (own, other) = (bends(&upper), bends(&lower));
-        let drawn = DrawnLeaf {
-            surface: &lower,
-            bends: &other,
-            folds: Folds::default(),
-        };
-        separate(
-            (&mut upper, &own, Folds::default()),
-            &drawn,
-            [1.0; 2],
-            true,
-            [&|_, _| true; 2],
-            &mut Work::new(u32::MAX),
-        );
+        separate_whole(&mut upper, &lower, true);
         let points = upper.positions.as_chunks::<3>().0;
         for row in 1..6 {
             let over = 0.5 * (points[9 * row + 4][2] + points[9 * row + 5][2]);

@@ -13,7 +13,8 @@ use crate::contact::work::Work;
 /// a grab has crumpled one, and where they are smooth.
 pub type Tolerance = [f32; 2];
 
-/// Work of looking whether the fore-edge of one of two leaves has passed the other, nanoseconds.
+/// Work of looking whether the fore-edge of one of two leaves has passed the other, nanoseconds: of
+/// 50 points at 200, as separation counts one where a leaf is bent.
 const FORE_EDGES: u32 = 10_000;
 
 impl Flight {

@@ -8,7 +8,7 @@ use crate::book::phase::Phase;
 use crate::book::pile::Pile;
 use crate::contact::flap_order::FlapOrder;
 use crate::contact::mesh::{Folds, Mesh};
-use crate::contact::separate::{DrawnLeaf, separate};
+use crate::contact::separate::{DrawnLeaf, is_rim, separate};
 use crate::contact::separate_folded::{
     MovedLeaf, Order, Outcome, PartedLeaf, PlacedBlocks, push_off_leaf,
 };
@@ -46,18 +46,12 @@ impl Flight {
     /// beyond that neighbour's rim, and itself off the rim of that flight.
     pub fn separate_rim_from(&mut self, after_next: &Flight, side: Side, work: &mut Work) {
         self.revision += 1;
-        let sign = match side {
-            Side::Left => -1.0,
-            Side::Right => 1.0,
-        };
-        let [columns, rows] = [self.surface.columns, self.surface.rows];
-        let is_rim =
-            |column: usize, row: usize| column + 1 == columns || row == 0 || row + 1 == rows;
         let scale = self.scale();
+        let is_rim = |column: usize, row: usize| is_rim(&after_next.surface, column, row);
         separate(
             (&mut self.surface, &self.bends, Folds::default()),
             &after_next.drawn(),
-            [sign, scale],
+            [side.sign(), scale],
             self.full_precision || after_next.full_precision,
             [&is_rim; 2],
             work,
