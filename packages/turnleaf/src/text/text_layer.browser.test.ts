@@ -11,6 +11,7 @@ import { eventually } from "../for_tests/eventually.ts";
 import { clickMouse, dragMouse, toolSession } from "../for_tests/real_mouse.ts";
 import { awayAndBack, boxIn, fonts, line, openedWhale, spansOf } from "../for_tests/text_books.ts";
 import { tinyEpub } from "../sources/epub/tiny_epub.ts";
+import { openSource } from "../sources/open.ts";
 import { tinyPdf } from "../sources/tiny_pdf.ts";
 import { layMarks } from "./page_marks.ts";
 
@@ -38,6 +39,41 @@ test("a drag with the mouse selects, and what is copied has words and lines", as
   // As a reader does: a script's own copy would need a recent press.
   await userEvent.keyboard("{Control>}c{/Control}");
   await eventually(() => copied).toBe("Call me\nIshmael. Some\nyears ago");
+});
+
+test("a selection stays while the text of the page beside it comes, and while all is laid anew", async () => {
+  const pages = ["One", "Two", "Three"].map((word) => line(word, 230));
+  const file = new File([tinyPdf({ pages, resources: fonts })], "three.pdf");
+  const source = await openSource(file);
+  const text = source.text?.bind(source) ?? expect.fail("A PDF has text.");
+  let comes = (): void => {};
+  const beside = new Promise<void>((resolve) => (comes = resolve));
+  Object.assign(source, {
+    text: async (...[index, ...rest]: Parameters<typeof text>) => {
+      if (index === 2) await beside;
+      return text(index, ...rest);
+    },
+  });
+  const loaded = happens(element, "load");
+  element.pages = source;
+  await loaded;
+  await element.goTo(2);
+  await settled(element);
+  await eventually(() => spans().length).toBeGreaterThan(0);
+  const [span] = spans();
+  getSelection()?.selectAllChildren(span);
+  const selected = String(getSelection());
+  expect(selected).not.toBe("");
+  const before = spans().length;
+  comes();
+  await eventually(() => spans().length).toBeGreaterThan(before);
+  expect(String(getSelection())).toBe(selected);
+  const { left } = span.getBoundingClientRect();
+  element.style.width = "500px";
+  await settled(element);
+  await eventually(() => span.getBoundingClientRect().left).not.toBe(left);
+  expect(String(getSelection())).toBe(selected);
+  expect(spans()[0]).toBe(span);
 });
 
 test("a click beside the text ends its selection", async () => {

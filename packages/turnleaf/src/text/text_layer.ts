@@ -15,6 +15,7 @@ import type {
 } from "../sources/page_source.ts";
 import { columnAt, columnsOf } from "./columns.ts";
 import { boundsOf, cutBoxes, cutRuns } from "./cut_to_page.ts";
+import { keepNodes } from "./kept_nodes.ts";
 import { NotePopover } from "./note_popover.ts";
 import { type FieldPlace, type FieldValues, makeFields } from "./page_fields.ts";
 import { type LinkActions, makeLinks } from "./page_links.ts";
@@ -339,7 +340,7 @@ export class TextLayer {
     if (content.isElement) group.element.removeAttribute("role");
     else {
       const [before, after] = [this.#runsOf(page - 1).at(-1), this.#runsOf(page + 1)[0]];
-      group.text.replaceChildren(...layText(runs, project, before, after));
+      keepNodes(group.text, layText(runs, project, before, after));
     }
     if (group.laid === null) {
       group.laid = this.#make(content);
