@@ -179,7 +179,8 @@ fn push_off_piles(order: &mut [Flight], set: u16, piles: [&Pile; 2], work: &mut 
     }
 }
 
-/// How far a flight is kept over the piles (right and left), by how many fly between it and each.
+/// How far a flight is kept over the piles (right and left), by how many fly between it and each, and
+/// by the layers of those of them whose folds are shut.
 fn over_piles(order: &[Flight], index: usize) -> [f32; 2] {
     let down = |flight: &&Flight| flight.leaf().is_down();
     let right = order.len() - order.iter().rev().take_while(down).count();
@@ -188,7 +189,9 @@ fn over_piles(order: &[Flight], index: usize) -> [f32; 2] {
         right.saturating_sub(index),
         (index + 1).saturating_sub(left),
     ];
-    ranks.map(|rank| OVER_PILE * rank as f32)
+    let layers = [&order[index + 1..], &order[..index]]
+        .map(|between| between.iter().map(Flight::height_of_layers).sum::<f32>());
+    [0, 1].map(|side| OVER_PILE * ranks[side] as f32 + layers[side])
 }
 
 /// Draws flights that would go through each other, or through themselves, as they were drawn last,

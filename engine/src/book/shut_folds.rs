@@ -16,6 +16,10 @@ use crate::vector::{dot, sub, unit};
 /// seen; what reaches farther lies upon the page across, and cannot be held shut with its own.
 const OVERHANG: f32 = 0.05;
 
+/// What moves a point over a triangle whose corners hardly move with it moves these by no more than if
+/// the squares of their weights came to this.
+const LEAST_WEIGHT: f32 = 0.1;
+
 /// Part of the page's width from the spine in which it is pressed together.
 const PRESSED: f32 = 0.45;
 
@@ -74,7 +78,13 @@ pub struct Layers {
     over: Vec<Over>,
     /// The triangles that nothing shut lies between and the spine.
     base: Vec<[usize; 3]>,
-    points: usize,
+    /// For each point of these what part of a layer's height there is room for, so near to the spine; of
+    /// others none.
+    room: Vec<f32>,
+    /// Most layers over a triangle of these, on the side of the recto and of the verso.
+    most: [f32; 2],
+    /// The parts that lie there.
+    parts: [Vec<u16>; 2],
 }
 
 /// A point that lies over a triangle.
@@ -194,11 +204,48 @@ impl Layers {
                 layers: rank * apart,
             });
         }
+        let room = flat.iter().zip(&is_over).map(|([x, _], is_over)| {
+            let room = (x / clear).min(1.0);
+            if *is_over { 0.0 } else { room }
+        });
+        let most = [1.0, -1.0].map(|side| {
+            let layers = over.iter().map(|over| side * over.layers);
+            layers.fold(0.0, f32::max)
+        });
+        let [on_recto, on_verso]: [fn(f32, f32) -> bool; 2] = [|a, b| a > b, |a, b| a < b];
+        let parts = [on_recto, on_verso].map(|lies_there| {
+            let parts = ranks.iter().map(|(part, _)| *part);
+            let over = parts.filter(|part| !is_base(part));
+            over.filter(|part| lies_there(rank_of(*part), rank_of(0)))
+                .collect()
+        });
         Some(Layers {
+            room: room.collect(),
+            most,
+            parts,
             over,
             base: base.into_iter().map(|(corners, _)| corners).collect(),
-            points: flat.len(),
         })
+    }
+
+    /// How high the layers are, over and under what they lie upon, metres for a page 0.14 m wide.
+    pub fn height(&self) -> f32 {
+        PARTS_GAP * (self.most[0] + self.most[1])
+    }
+
+    /// Raises what others lie over by a part, 0 to 1, of the height of the layers under it: of those on the
+    /// verso's side where the leaf lies on the right, on the recto's once it has `turned`, 0 to 1. So it is
+    /// the lowest layer that lies upon a pile, also where that is steep.
+    pub fn raise(&self, points: &mut [[f32; 3]], part: f32, turned: f32, scale: f32) {
+        let [recto, verso] = self.most;
+        let by = part * scale * PARTS_GAP * ((1.0 - turned) * verso - turned * recto);
+        let normals = self.normals(points);
+        for ((point, normal), room) in points.iter_mut().zip(normals).zip(&self.room) {
+            let normal = unit(normal);
+            for axis in 0..3 {
+                point[axis] += by * room * normal[axis];
+            }
+        }
     }
 
     /// Brings points a part of the way, 0 to 1, to where they lie, on a page `scale` times as wide as usual.
@@ -213,9 +260,46 @@ impl Layers {
         }
     }
 
+    /// Has points that were moved one by one from `before` move as one packet: what moved a point that
+    /// lies over others moves those, and it goes where they go. Points that are bound stay.
+    pub fn move_as_one(
+        &self,
+        points: &mut [[f32; 3]],
+        before: &[[f32; 3]],
+        is_bound: impl Fn(usize) -> bool,
+    ) {
+        let mut moves: Vec<[f32; 3]> = points
+            .iter()
+            .zip(before)
+            .map(|(p, q)| sub(*p, *q))
+            .collect();
+        for over in &self.over {
+            let by = moves[over.point];
+            if by == [0.0; 3] {
+                continue;
+            }
+            let free = |k: &usize| !is_bound(over.corners[*k]);
+            let whole: f32 = (0..3).filter(free).map(|k| over.weights[k].powi(2)).sum();
+            for k in (0..3).filter(free) {
+                // Of all that lie over a corner the one that was moved most.
+                let wanted = by.map(|by| by * over.weights[k] / whole.max(LEAST_WEIGHT));
+                let own = &mut moves[over.corners[k]];
+                if dot(wanted, wanted) > dot(*own, *own) {
+                    *own = wanted;
+                }
+            }
+        }
+        for over in &self.over {
+            moves[over.point] = place_of(over.weights, over.corners.map(|corner| moves[corner]));
+        }
+        for ((point, before), by) in points.iter_mut().zip(before).zip(&moves) {
+            *point = core::array::from_fn(|axis| before[axis] + by[axis]);
+        }
+    }
+
     /// At each point the sum of the normals of the triangles below.
     fn normals(&self, points: &[[f32; 3]]) -> Vec<[f32; 3]> {
-        debug_assert_eq!(points.len(), self.points);
+        debug_assert_eq!(points.len(), self.room.len());
         let mut normals = vec![[0.0f32; 3]; points.len()];
         for corners in &self.base {
             let normal = area_normal(corners.map(|corner| points[corner]));
@@ -226,6 +310,12 @@ impl Layers {
             }
         }
         normals
+    }
+
+    /// The parts that lie over others on the side of the recto, or of the verso: a leaf on the other side
+    /// meets none of them.
+    pub fn parts_on(&self, is_recto: bool) -> &[u16] {
+        &self.parts[usize::from(!is_recto)]
     }
 
     /// The points that lie over others, each with the corners and the weights of what it lies over.

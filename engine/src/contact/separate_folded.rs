@@ -32,6 +32,8 @@ pub struct PartedLeaf<'a> {
     pub parts: &'a DrawnParts,
     /// Its creases that are [shut](super::flaps::Flaps::shut).
     pub shut: u16,
+    /// Parts that others cover on the side where the other leaf lies, which meets none of them.
+    pub covered: &'a [u16],
 }
 
 /// How two leaves lie to each other.
@@ -126,6 +128,10 @@ impl PartedLeaf<'_> {
         Aabb::around(corners.map(|node| self.points[*node]))
     }
 
+    fn is_covered(&self, block: usize) -> bool {
+        self.covered.contains(&self.parts.blocks[block].part)
+    }
+
     fn is_turned_over(&self, block: usize) -> bool {
         is_turned_over(self.parts.blocks[block].part, self.shut)
     }
@@ -195,6 +201,8 @@ pub struct MovedLeaf<'a> {
     pub points: &'a mut [[f32; 3]],
     pub parts: &'a DrawnParts,
     pub shut: u16,
+    /// See [`PartedLeaf::covered`].
+    pub covered: &'a [u16],
     /// Where its points were when they were looked at last; empty where they never were.
     pub seen: &'a mut Vec<[f32; 3]>,
 }
@@ -205,6 +213,7 @@ impl MovedLeaf<'_> {
             points: self.points,
             parts: self.parts,
             shut: self.shut,
+            covered: self.covered,
         }
     }
 
@@ -358,17 +367,20 @@ fn find_pairs(
     let [mut over, mut under] = [Vec::new(), Vec::new()];
     let (within, gap) = (NOT_UPON * scale, SLIVER * scale);
     let all = placed.around();
+    let others: Vec<usize> = (0..other.parts.blocks.len())
+        .filter(|block| !other.is_covered(*block))
+        .collect();
     let blocks = (0..own.parts.blocks.len()).filter(|block| has_moved[*block]);
-    for block in blocks {
+    for block in blocks.filter(|block| !own.is_covered(*block)) {
         let bounds = own_placed.boxes[block];
         let near = bounds.grown([within; 3]);
         if !near.overlaps(&all) {
             continue;
         }
-        work.spend(BLOCKS * other.parts.blocks.len() as u32);
-        for other_block in 0..other.parts.blocks.len() {
-            let others = placed.boxes[other_block];
-            if !near.overlaps(&others) {
+        work.spend(BLOCKS * others.len() as u32);
+        for other_block in others.iter().copied() {
+            let other_bounds = placed.boxes[other_block];
+            if !near.overlaps(&other_bounds) {
                 continue;
             }
             work.spend(POINT * CORNERS as u32);
@@ -381,7 +393,7 @@ fn find_pairs(
             let own_slab = own_placed.slab(own, block);
             let facing = order.reversed().side_of((other, other_block), (own, block));
             work.spend(POINT * CORNERS as u32);
-            if other.is_clear_of(other_block, &others, &own_slab, facing, gap) {
+            if other.is_clear_of(other_block, &other_bounds, &own_slab, facing, gap) {
                 continue;
             }
             if order.is_under((own, block), (other, other_block)) {
@@ -391,7 +403,7 @@ fn find_pairs(
             if !placed.is_beside(&bounds, other_block, &slab, scale) {
                 over.push([block, other_block]);
             }
-            if !own_placed.is_beside(&others, block, &own_slab, scale) {
+            if !own_placed.is_beside(&other_bounds, block, &own_slab, scale) {
                 under.push([other_block, block]);
             }
         }
@@ -600,6 +612,7 @@ mod tests {
                 points: own,
                 parts: &parts,
                 shut: 0,
+                covered: &[],
                 seen: &mut seen,
             };
             found = push_off_leaf(leaf, other, &mut placed, ORDER, &mut Work::new(u32::MAX));
@@ -616,6 +629,7 @@ mod tests {
             points: &ridge,
             parts: &DrawnParts::whole(COLUMNS, ROWS),
             shut: 0,
+            covered: &[],
         };
         assert_eq!(move_off(&mut own, &other), Outcome::Clear);
         let [before, after] = [4, 5].map(|column| own[3 * COLUMNS + column][2]);
@@ -631,6 +645,7 @@ mod tests {
             points: &under,
             parts: &parts,
             shut: 1,
+            covered: &[],
         };
         let mut own = points([0.0; 2], |_, _| 3e-4);
         assert_eq!(move_off(&mut own, &other), Outcome::Clear);
@@ -651,6 +666,7 @@ mod tests {
             points: &under,
             parts: &parts,
             shut: 1,
+            covered: &[],
         };
         let before = points([0.0; 2], |_, _| 1.1e-3);
         let mut own = before.clone();

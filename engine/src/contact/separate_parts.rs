@@ -11,12 +11,12 @@
 
 use super::aabb::Aabb;
 use super::flaps::Flaps;
-use super::tolerance::{NOT_UPON, OVER_PILE, SLACK};
+use super::tolerance::{DEEP, NOT_UPON, OVER_PILE, SLACK};
 use super::work::Work;
 use crate::grid::{cells, cut_cell};
 use crate::paper_mesh::PaperMesh;
 use crate::surface::Surface;
-use crate::triangle::{BESIDE, Triangle, area_normal};
+use crate::triangle::{BESIDE, EdgePlace, Triangle, area_normal};
 use crate::vector::{dot, unit};
 use core::ops::Range;
 
@@ -359,16 +359,9 @@ impl DrawnParts {
                         continue;
                     }
                     work.spend(TRIANGLE * block.triangles.len() as u32);
-                    let curled = block
-                        .slab
-                        .as_ref()
-                        .filter(|slab| pair.by_facing && !slab.is_even);
                     for corners in &self.triangles[block.triangles.clone()] {
-                        let along = curled.map_or(1.0, |slab| {
-                            let normal = area_normal(corners.map(|corner| points[corner]));
-                            dot(normal, slab.normal).signum()
-                        });
-                        let found = overlap(points, node, *corners, along * pair.side, scale);
+                        let side = self.side_of(pair, corners.map(|corner| points[corner]));
+                        let found = overlap(points, node, *corners, side, scale);
                         let is_nearer = |found: &Overlap| {
                             under
                                 .as_ref()
@@ -379,10 +372,20 @@ impl DrawnParts {
                         }
                     }
                 }
-                if let Some(overlap) = under {
-                    self.push_apart(points, node, &overlap);
+                if let Some(Overlap {
+                    corners,
+                    weights,
+                    normal,
+                    missing,
+                }) = under
+                {
+                    let triangle = (corners, weights);
+                    self.push_apart(points, ([node], [1.0]), triangle, normal, missing);
                     moved = true;
                 }
+            }
+            for home in 0..self.blocks.len() {
+                moved |= self.push_edges_apart(points, home, scale, work);
             }
             if !moved {
                 break;
@@ -460,28 +463,101 @@ impl DrawnParts {
         slab.normal
     }
 
-    fn push_apart(&self, points: &mut [[f32; 3]], node: usize, overlap: &Overlap) {
-        let Overlap {
-            corners,
-            weights,
-            normal,
-            missing,
-        } = overlap;
-        let up = (0.5 + normal[2]).clamp(0.0, 1.0);
-        let mut push = |node: usize, by: f32| {
-            for axis in 0..3 {
-                points[node][axis] += by * missing * normal[axis];
+    /// Moves edges of a block and triangles that they go under apart, where they are lowest: between
+    /// its points a part may go through another that is dented. Returns whether any were moved.
+    fn push_edges_apart(
+        &self,
+        points: &mut [[f32; 3]],
+        home: usize,
+        scale: f32,
+        work: &mut Work,
+    ) -> bool {
+        let block = &self.blocks[home];
+        let nodes = &self.corners[block.corners.clone()];
+        let mut moved = false;
+        for pair in &self.pairs[block.pairs.clone()] {
+            let under = &self.blocks[pair.under];
+            if !under.bounds.overlaps(&block.bounds) {
+                continue;
             }
-        };
-        push(node, up);
-        let is_bound = |corner: &usize| corner.is_multiple_of(self.columns);
-        let free = corners
-            .iter()
-            .zip(weights)
-            .filter(|(corner, _)| !is_bound(corner));
+            for corners in &self.triangles[under.triangles.clone()] {
+                work.spend(TRIANGLE);
+                let at = corners.map(|corner| points[corner]);
+                let triangle = Triangle::of(at, self.side_of(pair, at));
+                let is_under = |set: u32, (k, node): (usize, &usize)| {
+                    set | u32::from(triangle.height(points[*node]) < 0.0) << k
+                };
+                let below = nodes.iter().enumerate().fold(0, is_under);
+                if below == 0 || below.count_ones() as usize == nodes.len() {
+                    continue;
+                }
+                let edges = self.edges[block.edges.clone()].iter();
+                for [p, q] in edges.filter(|[p, q]| (below >> p ^ below >> q) & 1 == 1) {
+                    let edge = [p, q].map(|end| nodes[usize::from(*end)]);
+                    // Both hang together at a crease.
+                    if edge.iter().any(|end| corners.contains(end)) {
+                        continue;
+                    }
+                    work.spend(POINT);
+                    let ends = edge.map(|end| points[end]);
+                    let Some(lowest) = triangle.lowest_of_edge(ends) else {
+                        continue;
+                    };
+                    // Where an end is deeper it is not facets alone that go through each other but the
+                    // paper.
+                    let is_grazing = ends.iter().all(|end| triangle.height(*end) > -DEEP * scale);
+                    if is_grazing && lowest.height < 0.0 {
+                        let EdgePlace { way, weights, .. } = lowest;
+                        let by = SLACK * scale - lowest.height;
+                        let edge = (edge, [1.0 - way, way]);
+                        self.push_apart(points, edge, (*corners, weights), triangle.normal, by);
+                        moved = true;
+                    }
+                }
+            }
+        }
+        moved
+    }
+
+    /// On which side of a triangle of a block the points of a pair lie, 1 that of its normal or -1.
+    fn side_of(&self, pair: &Pair, triangle: [[f32; 3]; 3]) -> f32 {
+        let slab = self.blocks[pair.under].slab.as_ref();
+        let curled = slab.filter(|slab| pair.by_facing && !slab.is_even);
+        curled.map_or(pair.side, |slab| {
+            pair.side * dot(area_normal(triangle), slab.normal).signum()
+        })
+    }
+
+    /// Moves a place of some nodes and one of a triangle apart along a normal, each by these weights: of
+    /// the two the one that is farther up moves.
+    fn push_apart<const N: usize>(
+        &self,
+        points: &mut [[f32; 3]],
+        over: ([usize; N], [f32; N]),
+        under: ([usize; 3], [f32; 3]),
+        normal: [f32; 3],
+        missing: f32,
+    ) {
+        let up = (0.5 + normal[2]).clamp(0.0, 1.0);
+        self.push(points, over, normal, up * missing);
+        self.push(points, under, normal, (up - 1.0) * missing);
+    }
+
+    /// Moves a place of nodes, but for those at the spine.
+    fn push<const N: usize>(
+        &self,
+        points: &mut [[f32; 3]],
+        (nodes, weights): ([usize; N], [f32; N]),
+        normal: [f32; 3],
+        by: f32,
+    ) {
+        let free = nodes.into_iter().zip(weights);
+        let free = free.filter(|(node, _)| !self.is_bound(*node));
         let whole: f32 = free.clone().map(|(_, weight)| weight * weight).sum();
-        for (corner, weight) in free {
-            push(*corner, (up - 1.0) * weight / whole.max(0.1));
+        for (node, weight) in free {
+            for axis in 0..3 {
+                points[node][axis] += by * weight / whole.max(0.1) * normal[axis];
+            }
         }
     }
 }
@@ -600,6 +676,66 @@ pub mod tests {
             let [low, _] = heights(&points, 5..9);
             assert!(low > 0.5 * OVER_PILE, "{low} from {over}");
         }
+    }
+
+    /// Edges that go through a triangle of another part, but for those that end at the fold.
+    fn crossings(points: &[[f32; 3]], parts: &DrawnParts) -> usize {
+        let of_block = |block: &Block| {
+            let triangles = parts.triangles[block.triangles.clone()].iter();
+            triangles
+                .map(|corners| (block.part, *corners))
+                .collect::<Vec<_>>()
+        };
+        let ends_at_fold =
+            |(_, corners): &(u16, [usize; 3])| corners.iter().any(|corner| corner % COLUMNS == 4);
+        let all: Vec<(u16, [usize; 3])> = { parts.blocks.iter() }
+            .flat_map(of_block)
+            .filter(|triangle| !ends_at_fold(triangle))
+            .collect();
+        let goes_through = |corners: &[usize; 3], edge: [usize; 2]| {
+            let triangle = Triangle::of(corners.map(|corner| points[corner]), 1.0);
+            let [from, to] = edge.map(|end| points[end]);
+            let [a, b] = [from, to].map(|end| triangle.height(end));
+            let at = core::array::from_fn(|i| from[i] + a / (a - b) * (to[i] - from[i]));
+            let is_within = || triangle.weights(at).iter().all(|weight| *weight > 0.0);
+            a * b < 0.0 && !edge.iter().any(|end| corners.contains(end)) && is_within()
+        };
+        let mut count = 0;
+        for (part, corners) in &all {
+            for (_, [p, q, r]) in all.iter().filter(|(other, _)| other != part) {
+                let edges = [[*p, *q], [*q, *r], [*r, *p]];
+                count += edges
+                    .iter()
+                    .filter(|edge| goes_through(corners, **edge))
+                    .count();
+            }
+        }
+        count
+    }
+
+    /// Folded over, its cells are cut along the other diagonals, and where both are dented alike these go
+    /// through each other between points that are clear.
+    #[test]
+    fn a_flap_is_raised_where_its_edges_go_through_a_dented_page() {
+        let (mut points, mut parts) = folded(0.0);
+        for (node, point) in points.iter_mut().enumerate() {
+            let (column, row) = (node % COLUMNS, node / COLUMNS);
+            let is_flap = column > 4;
+            let column = if is_flap { 8 - column } else { column };
+            point[0] = column as f32 * 0.01;
+            let dent = if (column + row).is_multiple_of(2) {
+                4e-4
+            } else {
+                -4e-4
+            };
+            point[2] = dent + if is_flap { 1.2 * OVER_PILE } else { 0.0 };
+        }
+        assert!(crossings(&points, &parts) > 0);
+        for _ in 0..3 {
+            let upon = |_, _, _| Some(1.0);
+            parts.separate(&mut points, (1.0, ROUNDS), upon, &mut unbounded());
+        }
+        assert_eq!(crossings(&points, &parts), 0);
     }
 
     #[test]

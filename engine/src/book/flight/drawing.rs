@@ -55,12 +55,17 @@ impl Flight {
         let scale = self.scale();
         if let Some((layers, part)) = self.leaf.drawn_shut() {
             let points = self.surface.positions.as_chunks_mut::<3>().0;
+            // Once it rests so does its paper.
+            if !self.leaf.is_down() {
+                layers.raise(points, part, self.leaf.fraction_turned(), scale);
+            }
             layers.lay(points, part, scale);
         }
         self.surface.update_normals();
         self.find_turned_over();
-        if self.shown.is_empty() {
-            // What is drawn of others next to it may have it drawn so for as long as they move.
+        if self.shown.is_empty() || self.is_packet() {
+            // What is drawn of others next to it may have it drawn so for as long as they move; and the
+            // layers of a packet lie off each other before they move as one.
             self.separate_own_parts(ROUNDS, &mut Work::new(u32::MAX));
         }
         self.wanted.clone_from(&self.surface.positions);
@@ -73,6 +78,13 @@ impl Flight {
         if is_crumpled {
             self.use_full_precision();
         }
+    }
+
+    /// How high the layers of folds that are held shut are drawn over and under what they lie upon,
+    /// metres for a page 0.14 m wide.
+    pub fn height_of_layers(&self) -> f32 {
+        let shut = self.leaf.drawn_shut();
+        shut.map_or(0.0, |(layers, part)| part * layers.height())
     }
 
     /// Finds which of its points are folded over. Those on creases are not.

@@ -73,9 +73,27 @@ impl Flight {
     pub fn push_off_piles(&mut self, piles: [&Pile; 2], over: [f32; 2], work: &mut Work) {
         self.revision += 1;
         let over = Over::of(over, self.scale());
+        let before = self.is_packet().then(|| self.surface.positions.clone());
         push_off(&mut self.surface.positions, piles, over);
+        if let Some(before) = before {
+            self.move_as_one(&before);
+        }
         self.separate_own_parts(ROUNDS, work);
         self.keep_off_piles(piles, over);
+    }
+
+    /// Whether its folds are shut, so that its layers move as one.
+    pub(super) fn is_packet(&self) -> bool {
+        self.leaf.drawn_shut().is_some_and(|(_, part)| part == 1.0)
+    }
+
+    /// Has its layers move as one, where its points were moved one by one from `before`.
+    fn move_as_one(&mut self, before: &[f32]) {
+        if let Some((layers, _)) = self.leaf.drawn_shut() {
+            let points = self.surface.positions.as_chunks_mut::<3>().0;
+            let is_bound = |point: usize| self.parts.is_bound(point);
+            layers.move_as_one(points, before.as_chunks::<3>().0, is_bound);
+        }
     }
 
     /// Pushes points and edges out of the piles (right and left), so far over each.
@@ -139,18 +157,29 @@ impl Flight {
         let over = Over::of(over, scale);
         let before = self.surface.positions.clone();
         let mut seen = Vec::new();
-        let mut placed = neighbour.map(|(flight, _)| PlacedBlocks::of(&flight.parted()));
+        let mut placed = neighbour.map(|(flight, side)| {
+            let other = flight.parted(side.opposite());
+            PlacedBlocks::of(&other)
+        });
+        let covered = neighbour.map_or(Vec::new(), |(_, side)| self.covered_on(side).to_vec());
+        let is_packet = self.is_packet();
+        let mut last = self.surface.positions.clone();
         // A round looks only at what moved since the one before it.
         let (mut is_clear, mut is_covered, mut crosses) = (false, false, false);
         let mut is_resolved = false;
         for _ in 0..ROUNDS {
             self.keep_off_piles(piles, over);
+            if is_packet {
+                self.move_as_one(&last);
+            }
             let are_parts_clear = !self.is_creased() || !self.separate_own_parts(1, work);
+            last.clone_from(&self.surface.positions);
             if let (Some((neighbour, side)), Some(placed)) = (neighbour, &mut placed) {
                 if work.is_spent() {
                     is_clear = false;
                     break;
                 }
+                let other = neighbour.parted(side.opposite());
                 let (slot, side) = match side {
                     Side::Left => (0, -1.0),
                     Side::Right => (1, 1.0),
@@ -164,13 +193,17 @@ impl Flight {
                     points: self.surface.positions.as_chunks_mut::<3>().0,
                     parts: &self.parts,
                     shut: self.shut,
+                    covered: &covered,
                     seen: &mut seen,
                 };
-                let other = neighbour.parted();
                 let outcome = push_off_leaf(&mut own, &other, placed, order, work);
                 crosses |= outcome == Outcome::Crosses;
                 is_clear = outcome <= Outcome::Covered;
                 is_covered |= outcome == Outcome::Covered;
+                if is_packet && outcome >= Outcome::Moved {
+                    self.move_as_one(&last);
+                    last.clone_from(&self.surface.positions);
+                }
             }
             is_resolved = are_parts_clear && (is_clear || neighbour.is_none());
             if is_resolved {
@@ -199,12 +232,21 @@ impl Flight {
         self.clear_of[1] == Some([own, other]) || right.clear_of[0] == Some([other, own])
     }
 
-    fn parted(&self) -> PartedLeaf<'_> {
+    /// What is drawn of it, for a leaf on a side of it.
+    fn parted(&self, side: Side) -> PartedLeaf<'_> {
         PartedLeaf {
             points: self.surface.positions.as_chunks::<3>().0,
             parts: &self.parts,
             shut: self.shut,
+            covered: self.covered_on(side),
         }
+    }
+
+    /// The parts of a packet that others cover where a leaf on a side of it lies: that on the right
+    /// lies on its verso.
+    fn covered_on(&self, side: Side) -> &[u16] {
+        let packet = self.leaf.drawn_shut().filter(|_| self.is_packet());
+        packet.map_or(&[], |(layers, _)| layers.parts_on(side == Side::Right))
     }
 }
 

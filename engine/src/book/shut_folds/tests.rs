@@ -96,3 +96,68 @@ fn what_is_carried_weighs_on_what_carries_it() {
     sheet.unstack();
     assert_eq!(sheet.masses(), before);
 }
+
+/// What lies under the part next to the spine is level with what that lay upon before: on the right what
+/// is folded to the verso, on the left what is folded to the recto.
+#[test]
+fn what_others_lie_over_is_raised_by_those_under_it() {
+    for (sign, turned, raised) in [(-1.0, 0.0, 2.0), (1.0, 0.0, 0.0), (1.0, 1.0, -2.0)] {
+        let leaf = leaf(&[along(0.4, sign * 160.0), along(0.7, sign * 170.0)]);
+        let layers = shut_folds(&leaf).expect("a letter can be shut").nodes;
+        let mut points = leaf.sheet().flat_places().as_chunks::<3>().0.to_vec();
+        layers.raise(&mut points, 1.0, turned, 1.0);
+        layers.lay(&mut points, 1.0, 1.0);
+        let away = points.iter().filter(|[x, ..]| *x > 0.1 * PAGE[0] as f32);
+        let [low, high] = away.fold([f32::MAX, f32::MIN], |[low, high], [.., z]| {
+            [low.min(*z), high.max(*z)]
+        });
+        let others = raised + 2.0 * sign as f32;
+        let expected = [raised.min(others), raised.max(others)].map(|layers| layers * PARTS_GAP);
+        for (found, expected) in [low, high].into_iter().zip(expected) {
+            assert!(
+                (found - expected).abs() < 1e-6,
+                "{low} to {high} for {expected}"
+            );
+        }
+        let bound = points.iter().step_by(NODES[0]);
+        assert!(bound.clone().all(|[.., z]| *z == 0.0), "the spine stays");
+    }
+}
+
+/// What pushes one point of a letter's outer part, or of its page, moves all of its layers there by as
+/// much, and no other; the spine stays.
+#[test]
+fn layers_that_are_pushed_point_by_point_move_as_one() {
+    let leaf = leaf(&[along(0.4, 160.0), along(0.7, 170.0)]);
+    let layers = shut_folds(&leaf).expect("a letter can be shut").nodes;
+    let mut before = leaf.sheet().flat_places().as_chunks::<3>().0.to_vec();
+    layers.lay(&mut before, 1.0, 1.0);
+    let over: Vec<Carried> = layers.carried().collect();
+    let place = |points: &[[f32; 3]], (_, corners, weights): &Carried| {
+        place_of(*weights, corners.map(|corner| points[corner]))
+    };
+    let is_bound = |node: usize| node.is_multiple_of(NODES[0]);
+    for pushed in 0..before.len() {
+        let mut points = before.clone();
+        points[pushed][2] += 1e-3;
+        layers.move_as_one(&mut points, &before, is_bound);
+        let is_carried = over.iter().any(|(point, ..)| *point == pushed);
+        let moved = points[pushed][2] - before[pushed][2];
+        assert!(
+            is_bound(pushed) || is_carried && moved > 0.5e-3 || (moved - 1e-3).abs() < 1e-7,
+            "{moved} m at {pushed}"
+        );
+        for carried in &over {
+            let [was, is] = [&before, &points].map(|points| {
+                let away = sub(points[carried.0], place(points, carried));
+                away.map(|x| x as f64)
+            });
+            let off = (0..3).map(|axis| (is[axis] - was[axis]).abs());
+            assert!(
+                off.fold(0.0, f64::max) < 1e-7,
+                "{is:?} for {was:?} at {}",
+                carried.0
+            );
+        }
+    }
+}
