@@ -1,4 +1,4 @@
-//! Leaves in hands: caught, carried, pressed, pulled at, held still.
+//! Leaves that grabs hold: caught, carried, pressed, pulled at, held still.
 
 use super::*;
 
