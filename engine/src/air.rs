@@ -11,7 +11,7 @@
 pub struct Air {
     /// Density, kg/m^3.
     pub density: f64,
-    /// Drag coefficient of a plate across the stream.
+    /// Drag coefficient of a plate across the stream, without unit.
     pub drag: f64,
     /// Mass that moves with a square metre of the leaf along its normal, kg/m^2.
     pub added_mass: f64,

@@ -23,7 +23,8 @@ pub struct Gesture {
     pub seconds: f32,
     /// Which nodes are held.
     pub grip: Grip,
-    /// Radius of the half circle: the leaf's width.
+    /// Radius of the half circle: the leaf's width, in its unit of length (metres, but for the preset
+    /// `paper-2014`).
     pub radius: f32,
     /// Part of the duration by which the head's node starts after the foot's,
     /// 0 (all together) to below 1; the rows between in proportion.
@@ -40,7 +41,8 @@ pub struct Gesture {
 }
 
 impl Gesture {
-    /// The paper's: the whole fore-edge column on one half circle.
+    /// The paper's: the whole fore-edge column on one half circle of a radius, in the leaf's unit of
+    /// length, in so many seconds.
     pub fn column(from: Side, radius: f32, seconds: f32) -> Self {
         let (lag, pull, slack, rise) = (0.0, 0.0, 0.0, 0.0);
         Self {

@@ -53,15 +53,20 @@ pub(crate) fn cut_cell(foot: usize, columns: usize, is_falling: bool) -> [[usize
 /// lanes at the end let a shifted read of the last row stay inside.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Grid {
+    /// Nodes from the spine to the fore-edge, at least 2.
     pub columns: usize,
+    /// Nodes from the foot to the head, at least 2.
     pub rows: usize,
+    /// From the spine to the fore-edge, in the model's unit of length.
     pub width: f32,
+    /// From the foot to the head, likewise.
     pub height: f32,
     /// Lanes from one row to the next.
     pub stride: usize,
 }
 
 impl Grid {
+    /// A grid of `columns` x `rows` nodes over a leaf of that size.
     pub fn new(columns: usize, rows: usize, width: f32, height: f32) -> Self {
         let stride = columns.next_multiple_of(ROW_LANES);
         Self {
@@ -83,12 +88,12 @@ impl Grid {
         self.lanes() + ROW_LANES
     }
 
-    /// Distance between columns.
+    /// Distance between columns, in the unit of the width.
     pub fn du(&self) -> f32 {
         self.width / (self.columns - 1) as f32
     }
 
-    /// Distance between rows.
+    /// Distance between rows, likewise.
     pub fn dv(&self) -> f32 {
         self.height / (self.rows - 1) as f32
     }
@@ -104,15 +109,17 @@ impl Grid {
         (0..self.rows).flat_map(move |row| row * stride..row * stride + columns)
     }
 
+    /// An array over the grid, padded, of zeros.
     pub fn zeros(&self) -> Vec<f32> {
         vec![0.0; self.padded()]
     }
 
+    /// Three such arrays: for x, y and z.
     pub fn zeros3(&self) -> [Vec<f32>; 3] {
         [self.zeros(), self.zeros(), self.zeros()]
     }
 
-    /// Where each node of a flat leaf rests on one side of the spine.
+    /// Where each node of a flat leaf rests on one side of the spine: x, y, z in the unit of the width.
     pub fn rest(&self, side: Side) -> [Vec<f32>; 3] {
         let mut rest = self.zeros3();
         for row in 0..self.rows {

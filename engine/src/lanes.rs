@@ -15,43 +15,52 @@ pub(crate) const ROW_LANES: usize = 8;
     all(target_arch = "wasm32", target_feature = "simd128")
 )))]
 mod target {
+    /// Four numbers, as this target holds them.
     pub type Lanes = [f32; 4];
 
+    /// Puts an array into lanes.
     #[inline(always)]
     pub fn from(array: [f32; 4]) -> Lanes {
         array
     }
 
+    /// Takes an array out of lanes.
     #[inline(always)]
     pub fn array(lanes: Lanes) -> [f32; 4] {
         lanes
     }
 
+    /// Lane by lane the sum.
     #[inline(always)]
     pub fn add(a: Lanes, b: Lanes) -> Lanes {
         core::array::from_fn(|i| a[i] + b[i])
     }
 
+    /// Lane by lane the difference.
     #[inline(always)]
     pub fn sub(a: Lanes, b: Lanes) -> Lanes {
         core::array::from_fn(|i| a[i] - b[i])
     }
 
+    /// Lane by lane the product.
     #[inline(always)]
     pub fn mul(a: Lanes, b: Lanes) -> Lanes {
         core::array::from_fn(|i| a[i] * b[i])
     }
 
+    /// Lane by lane the quotient.
     #[inline(always)]
     pub fn div(a: Lanes, b: Lanes) -> Lanes {
         core::array::from_fn(|i| a[i] / b[i])
     }
 
+    /// Lane by lane the square root.
     #[inline(always)]
     pub fn sqrt(a: Lanes) -> Lanes {
         a.map(f32::sqrt)
     }
 
+    /// Lane by lane the absolute value.
     #[inline(always)]
     pub fn abs(a: Lanes) -> Lanes {
         a.map(f32::abs)
@@ -69,6 +78,7 @@ mod target {
         (0..4).fold(0, |bits, i| bits | u32::from(a[i] > b[i]) << i)
     }
 
+    /// Four rows as four columns.
     #[inline(always)]
     pub fn transpose(rows: [Lanes; 4]) -> [Lanes; 4] {
         core::array::from_fn(|column| rows.map(|row| row[column]))
@@ -222,16 +232,19 @@ pub trait Lanes<T>: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output 
 pub struct Four(target::Lanes);
 
 impl Four {
+    /// Of an array.
     #[inline(always)]
     pub fn new(array: [f32; 4]) -> Self {
         Self(target::from(array))
     }
 
+    /// One number four times.
     #[inline(always)]
     pub fn splat(value: f32) -> Self {
         Self::new([value; 4])
     }
 
+    /// As an array.
     #[inline(always)]
     pub fn array(self) -> [f32; 4] {
         target::array(self.0)

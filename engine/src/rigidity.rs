@@ -15,13 +15,13 @@ const FIRST_ROOT: f64 = 1.875_104_068_7;
 /// N m.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rigidity {
-    /// Against bending as the leaf turns.
+    /// Against bending as the leaf turns, N m.
     pub d11: f64,
-    /// Against bending along the spine.
+    /// Against bending along the spine, N m.
     pub d22: f64,
-    /// Between the two (Poisson's effect).
+    /// Between the two (Poisson's effect), N m.
     pub d12: f64,
-    /// Against twist.
+    /// Against twist, N m.
     pub d66: f64,
 }
 

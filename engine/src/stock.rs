@@ -53,7 +53,7 @@ pub struct Stock {
     pub stiffness_across: f64,
     /// Geometric mean of the two Poisson ratios.
     pub poisson: f64,
-    /// Coefficient of friction of the paper on itself.
+    /// Coefficient of friction of the paper on itself, without unit.
     pub friction: f64,
     /// Loss tangent in bending: of the energy of a cycle, 2 pi times this is lost.
     pub loss: f64,

@@ -52,7 +52,7 @@ impl Surface {
         self.topology = topology.wrapping_add(1);
     }
 
-    /// Position of the point in `column` and `row`.
+    /// Position of the point in `column` and `row`, as [`positions`](Self::positions).
     pub fn position(&self, column: usize, row: usize) -> [f32; 3] {
         point(&self.positions, row * self.columns + column)
     }

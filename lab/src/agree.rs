@@ -93,6 +93,9 @@ struct Moment {
 }
 
 /// Runs the experiment.
+///
+/// # Errors
+/// Where a leaf comes to no rest, or a table cannot be written, in a sentence.
 pub fn run(options: &Options) -> Result<Agreement, String> {
     options.into.as_deref().map_or(Ok(()), make_folder)?;
     let &Options { settings, jobs, .. } = options;

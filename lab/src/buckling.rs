@@ -54,6 +54,9 @@ pub struct Gamma {
 }
 
 /// Runs `lab upright`.
+///
+/// # Errors
+/// Where the options name no model, or its piece comes to no rest, in a sentence.
 pub fn run_upright(options: &UprightOptions) -> Result<Lines<Compared<Critical, Gamma>>, String> {
     let model = options.model.model()?;
     let standing = |gamma: f64| Piece {
@@ -92,6 +95,9 @@ pub struct LateralOptions {
 }
 
 /// Runs `lab lateral-buckling`.
+///
+/// # Errors
+/// Where the options name no model, or its piece comes to no rest, in a sentence.
 pub fn run_lateral(options: &LateralOptions) -> Result<Lines<Compared<Critical, Gamma>>, String> {
     let model = options.model.model()?;
     let &LateralOptions { nu, aspect, .. } = options;

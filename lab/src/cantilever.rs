@@ -38,6 +38,9 @@ impl Rested {
 }
 
 /// A strip of a model at rest, its clamp `angle` radians upward from level.
+///
+/// # Errors
+/// Where the model makes no such strip, or it comes to no rest, in a sentence.
 pub fn rested(
     model: Model,
     gamma: f64,
@@ -97,6 +100,9 @@ pub struct TipError {
 }
 
 /// Runs `lab cantilever`.
+///
+/// # Errors
+/// Where the options name no model, or its strip comes to no rest, in a sentence.
 pub fn run(options: &Options) -> Result<Lines<Compared<Hanging, Tip, TipError>>, String> {
     let (model, gamma) = (options.model.model()?, options.gamma);
     let clamp_angle = options.clamp_angle.to_radians();
@@ -164,6 +170,9 @@ pub struct Way {
 }
 
 /// Runs `lab tip-load`.
+///
+/// # Errors
+/// Where the options name no model, or its strip comes to no rest, in a sentence.
 pub fn run_tip_load(options: &TipLoadOptions) -> Result<Lines<Compared<Loaded, Way>>, String> {
     let (model, load) = (options.model.model()?, options.load);
     let piece = Piece {

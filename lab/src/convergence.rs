@@ -34,6 +34,9 @@ pub struct Convergence {
 }
 
 /// Runs the experiment.
+///
+/// # Errors
+/// Where the options name no model, or a strip of it comes to no rest, in a sentence.
 pub fn run(options: &Options) -> Result<Lines<Convergence>, String> {
     let model = options.model.model()?;
     let (nodes, tip_error) = by_nodes(model)?;

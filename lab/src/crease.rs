@@ -60,9 +60,13 @@ pub struct Options {
 /// Where a creased strip is, or how far from there.
 #[derive(Serialize)]
 pub struct Hanging {
+    /// How far the tip is from the clamp horizontally, over the length.
     pub reach: f64,
+    /// How far it is below the clamp, over the length.
     pub drop: f64,
+    /// Angle of the tip upward from level, degrees.
     pub tip_angle_deg: f64,
+    /// Angle of the crease, degrees, above 0 where the strip is turned up.
     pub crease_angle_deg: f64,
 }
 
@@ -86,7 +90,9 @@ pub struct Creased {
     nodes: usize,
     #[serde(flatten)]
     found: Hanging,
+    /// Largest strain of an edge.
     pub max_edge_strain: f64,
+    /// Where the exact strip is.
     pub exact: Hanging,
     /// Of the tip's place over the length, and of both angles in degrees.
     pub error: Hanging,

@@ -37,6 +37,9 @@ pub struct Fall {
 }
 
 /// Runs the experiment.
+///
+/// # Errors
+/// Where the options name no model, or its sheet never falls steadily, in a sentence.
 pub fn run(options: &Options) -> Result<Lines<Compared<Fall, Fall>>, String> {
     let (model, stock) = (options.model.model()?, options::stock(options.stock));
     let piece = Piece {

@@ -43,6 +43,9 @@ struct Drift {
 }
 
 /// Runs the experiment.
+///
+/// # Errors
+/// Where the options name no model, or its strip comes to no rest, in a sentence.
 pub fn run(options: &Options) -> Result<Lines<Energy>, String> {
     let (model, periods) = (options.model.model()?, options.periods);
     let mut piece = Piece {

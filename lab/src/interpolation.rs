@@ -124,6 +124,9 @@ struct Errors {
 }
 
 /// Runs the experiment.
+///
+/// # Errors
+/// Where a table cannot be written, in a sentence.
 pub fn run(options: &Options) -> Result<Comparison, String> {
     options.into.as_deref().map_or(Ok(()), make_folder)?;
     let grids = GRIDS.map(|(nodes, points)| Grid {

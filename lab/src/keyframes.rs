@@ -68,6 +68,9 @@ pub struct File {
 }
 
 /// Runs the experiment.
+///
+/// # Errors
+/// Where the turn cannot be recorded or condensed so, or a file cannot be written, in a sentence.
 pub fn run(options: &Options) -> Result<Lines<File>, String> {
     options.out.as_deref().map_or(Ok(()), make_folder_of)?;
     let recording = record(options)?;
@@ -101,6 +104,9 @@ pub fn run(options: &Options) -> Result<Lines<File>, String> {
 ///
 /// `nodes` is the number of columns of nodes, which then lie as far apart as the
 /// rows do; none for the model's own number.
+///
+/// # Errors
+/// Where the model makes no such leaf, in a sentence.
 pub fn leaf(model: ModelKind, stock: Stock, nodes: Option<usize>) -> Result<LooseLeaf, String> {
     let rows = |columns: usize| 1 + ((columns - 1) as f64 * PAGE[1] / PAGE[0]).round() as usize;
     let settings = LooseSettings {

@@ -188,6 +188,9 @@ impl Scene {
     }
 
     /// The leaf, at rest, its gesture about to start.
+    ///
+    /// # Errors
+    /// Where its settings make none, in a sentence.
     pub fn leaf(&self) -> Result<MassSpring, String> {
         let mut leaf = MassSpring::new(self.settings()).map_err(|error| error.to_string())?;
         if self.no_interpolation {

@@ -40,6 +40,9 @@ pub struct Loop {
 }
 
 /// Runs the experiment.
+///
+/// # Errors
+/// Where the options name no model, or its strip comes to no rest, in a sentence.
 pub fn run(options: &Options) -> Result<Lines<Compared<Loop, Size>>, String> {
     let model = options.model.model()?;
     let piece = Piece {

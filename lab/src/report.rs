@@ -39,9 +39,12 @@ fn write_lines(out: &mut Formatter, figures: &Value, before: &str) -> fmt::Resul
 pub struct Compared<Found, Exact, Error = Exact> {
     #[serde(flatten)]
     pub of: Label,
+    /// What was found.
     #[serde(flatten)]
     pub found: Found,
+    /// What is exact.
     pub exact: Exact,
+    /// How far the one is from the other.
     pub error: Error,
 }
 

@@ -28,6 +28,9 @@ pub fn step_count(scene: &Scene, leaf: &MassSpring) -> usize {
 }
 
 /// Runs a scene and looks at every step.
+///
+/// # Errors
+/// Where the scene makes no leaf, in a sentence.
 pub fn observe(scene: &Scene) -> Result<Outcome, String> {
     let mut leaf = scene.leaf()?;
     let steps = step_count(scene, &leaf);
@@ -57,6 +60,9 @@ pub fn observe(scene: &Scene) -> Result<Outcome, String> {
 
 /// Microseconds that one step, and one surface, take: the median over
 /// repetitions of the whole turn, each long enough for the clock.
+///
+/// # Errors
+/// Where the scene makes no leaf, in a sentence.
 pub fn cost(scene: &Scene) -> Result<(f64, f64), String> {
     let start = scene.leaf()?;
     let steps = step_count(scene, &start);

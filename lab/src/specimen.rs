@@ -44,6 +44,9 @@ enum Name {
 
 impl ModelOptions {
     /// The model that they name.
+    ///
+    /// # Errors
+    /// Where settings are given for another model than the sheet, in a sentence.
     pub fn model(&self) -> Result<Model, String> {
         match (self.model, self.settings) {
             (Name::Sheet, settings) => Ok(Model::Sheet(settings.unwrap_or_default())),
@@ -88,6 +91,9 @@ impl Model {
     }
 
     /// A piece as ordered, lying straight.
+    ///
+    /// # Errors
+    /// Where the model makes no such piece, in a sentence.
     pub fn make(self, piece: &Piece) -> Result<Box<dyn Specimen>, String> {
         match self {
             Self::Sheet(settings) => sheet::make(piece, settings),

@@ -74,6 +74,9 @@ struct Outcome {
 }
 
 /// Runs the experiment.
+///
+/// # Errors
+/// Where a turn cannot be simulated so, or the table cannot be written, in a sentence.
 pub fn run(options: &Options) -> Result<Readings, String> {
     options.into.as_deref().map_or(Ok(()), make_folder)?;
     let seconds = options.seconds;

@@ -25,6 +25,9 @@ impl Table {
     }
 
     /// Writes it as `NAME.json` into a folder, a row a line, for `scripts/docs_tables.mjs`.
+    ///
+    /// # Errors
+    /// Where the file cannot be written, in a sentence.
     pub fn write(&self, folder: &Path, name: &str) -> Result<(), String> {
         let path = folder.join(format!("{name}.json"));
         let rows = self.rows.iter().map(|row| format!("  {}", json!(row)));

@@ -137,6 +137,9 @@ impl Row {
 }
 
 /// Runs the experiment.
+///
+/// # Errors
+/// Where the options do not go together or make no leaf, in a sentence.
 pub fn run(options: &Options) -> Result<Report, String> {
     let is_condensed = options.keys == Keys::Condensed;
     let plan = Plan {

@@ -37,6 +37,9 @@ pub struct Turn {
 }
 
 /// Runs the experiment.
+///
+/// # Errors
+/// Where the scene makes no leaf, in a sentence.
 pub fn run(Options { scene }: &Options) -> Result<Lines<Turn>, String> {
     let outcome = simulate::observe(scene)?;
     let (us_per_step, us_per_surface) = simulate::cost(scene)?;

@@ -63,6 +63,9 @@ struct Errors {
 }
 
 /// Runs the experiment.
+///
+/// # Errors
+/// Where the options name no model, or it makes no such strip, in a sentence.
 pub fn run(options: &Options) -> Result<Lines<Vibration>, String> {
     let (model, stock) = (options.model.model()?, options::stock(options.stock));
     let piece = Piece {

@@ -123,7 +123,7 @@ book_functions! {
     fn tl_book_set_wind(book, x: f64, y: f64, z: f64) -> u32 {
         change(book, |paper| paper.wind = [x, y, z]).into()
     }
-    /// Whether a leaf let go is helped over to its side.
+    /// Says whether a leaf let go is helped over to its side, or not (0).
     fn tl_book_set_assist(book, on: u32) {
         change(book, |paper| paper.assist = on != 0);
     }
@@ -176,22 +176,25 @@ book_functions! {
     fn tl_book_rows(book) -> usize { book.rows() }
     /// Curves of a pile.
     fn tl_book_layers(_book) -> usize { turnleaf_engine::book::LAYERS }
-    /// u of each column, f32.
+    /// u of each column, f32, 0 to 1.
     fn tl_book_u(book) -> *const f32 { book.columns().as_ptr() }
-    /// What is drawn of a flight, by its index from the left; 0 where there is none.
+    /// What is drawn of a leaf that is drawn by itself, by its index from the left; 0 where there is
+    /// none.
     fn tl_book_surface(book, index: usize) -> *const Drawn {
         book.surface(index).map_or(core::ptr::null(), |surface| {
             let caliper = book.caliper(index).unwrap_or(0.0);
             drawn(surface, book.paper_mesh(index), caliper)
         })
     }
-    /// Points of a flight over a flat table, to be written over before the next update:
+    /// Points of such a leaf over a flat table, f32 x, y, z in metres, to be written over before the
+    /// next update:
     /// that draws them in place of the sheet, unless one is not within 1 km. 0 where there
     /// is none.
     fn tl_book_dress(book, index: usize) -> *mut f32 {
         book.override_surface(index).map_or(core::ptr::null_mut(), |points| points.as_mut_ptr())
     }
-    /// Curves of the pile on a side, f32 x, z.
+    /// Curves of the pile on a side, f32 x, z in metres: from the uppermost page to the board, each from
+    /// the spine to the fore-edge.
     fn tl_book_pile(book, on: u32) -> *const f32 { book.pile(side(on)).curves().as_ptr() }
     /// A hand holds a board (0 the front, any other number the back) at an angle, radians,
     /// 0 to pi or the nearer of these. Nothing happens where it is not finite.
@@ -207,11 +210,12 @@ book_functions! {
     fn tl_board_lay(book, cover: u32, on: u32) {
         *book.board_mut(cover) = turnleaf_engine::book::Board::new(side(on))
     }
-    /// Steps a board by whole ticks, at most a minute's (7200); returns its phase.
+    /// Steps a board by whole ticks, at most a minute's (7200); returns its phase, numbered as a
+    /// flight's.
     fn tl_board_step(book, cover: u32, ticks: u32) -> u32 {
         book.board_mut(cover).step(ticks.min(MOST_TICKS));
         phase_number(book.board_mut(cover).phase())
     }
-    /// A board's angle, radians.
+    /// A board's angle, radians: 0 flat on the right, pi flat on the left.
     fn tl_board_angle(book, cover: u32) -> f32 { book.board_mut(cover).angle() }
 }

@@ -44,7 +44,8 @@ book_functions! {
     /// Turns the rest of a crease of a leaf to an angle, radians, -pi to pi. Nothing happens
     /// where it is beyond, or there is no such crease or the leaf is not drawn by itself.
     fn tl_book_press(book, leaf: u32, crease: usize, rest: f32) { book.press(leaf, crease, rest) }
-    /// Lets seconds pass in which nothing moves: creases of covered leaves creep.
+    /// Lets seconds pass in which nothing moves: creases of covered leaves creep. None pass where they
+    /// are not finite or below 0.
     fn tl_book_wait(book, seconds: f64) { book.wait(seconds) }
     /// Whether a creased leaf lies upon the pile of a side: the first of those drawn on the
     /// left, the last on the right.

@@ -8,23 +8,27 @@ use turnleaf_engine::{PaperMesh, Surface};
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct Drawn {
-    /// Points along a row, and rows.
+    /// Points along a row.
     pub columns: u32,
+    /// Rows, from the foot.
     pub rows: u32,
-    /// x, y, z of each point in metres, f32; their normals.
+    /// x, y, z of each point in metres, f32, row by row from the foot.
     pub positions: *const f32,
+    /// x, y, z of each point's unit normal, f32.
     pub normals: *const f32,
-    /// Rises whenever the positions change, and whenever the mesh does.
+    /// Rises whenever the positions change.
     pub version: u32,
+    /// Rises whenever the mesh itself changes.
     pub topology: u32,
     /// Thickness of the paper, metres.
     pub caliper: f32,
     /// Number of triangles; 0 where the points are a plain grid, and nothing follows.
     pub triangles: u32,
-    /// u and v of each point on the flat paper, f32; the points of each triangle, u32; the part that
-    /// each triangle belongs to, u16.
+    /// u and v of each point on the flat paper, 0 to 1, f32.
     pub places: *const f32,
+    /// The points of each triangle, u32.
     pub corners: *const u32,
+    /// The part that each triangle belongs to, u16.
     pub parts: *const u16,
     /// Of a sheet that is torn across, three numbers of each point (`PaperMesh::tears`), f32; else 0.
     pub tears: *const f32,

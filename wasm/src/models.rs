@@ -307,9 +307,9 @@ leaf_functions! {
     fn tl_leaf_node_columns(loose) -> usize { loose.leaf.grid_size().0 }
     /// Rows of nodes.
     fn tl_leaf_node_rows(loose) -> usize { loose.leaf.grid_size().1 }
-    /// Nodes, f32 x, y, z.
+    /// Nodes, f32 x, y, z in metres, row by row from the foot.
     fn tl_leaf_nodes(loose) -> *const f32 { loose.positions.as_ptr() }
-    /// Their velocities, f32 x, y, z.
+    /// Their velocities, f32 x, y, z in m/s.
     fn tl_leaf_velocities(loose) -> *const f32 { loose.velocities.as_ptr() }
     /// Five figures now, f64: kinetic, bending and gravity energy in J, largest
     /// stretch and compression.

@@ -169,8 +169,9 @@ live_functions! {
     fn tl_torn_release(leaf) { leaf.release() }
     /// Tears what still holds at the spine or across, without work.
     fn tl_torn_cut(leaf) { leaf.cut() }
-    /// The rows between which it is bound, from the foot: both 0 once it is off.
+    /// The first row, from the foot, at which it is bound; 0 once it is off.
     fn tl_torn_bound_low(leaf) -> usize { leaf.bound().start }
+    /// The row after the last at which it is bound; 0 once it is off.
     fn tl_torn_bound_high(leaf) -> usize { leaf.bound().end }
     /// Crumples one that is off. Returns whether it is being crumpled from now on.
     fn tl_torn_crumple(leaf) -> u32 { leaf.crumple().into() }

@@ -16,8 +16,11 @@ const BENT_BACK: f32 = 0.3;
 /// A leaf's nodes in the book, and what it remembers of what they met.
 #[derive(Clone, Debug)]
 pub struct BookSpaceLeaf {
+    /// Nodes along a row; nodes are listed row by row from the foot, from the spine on.
     pub columns: usize,
+    /// Where the nodes are in the book, metres.
     pub points: Vec<[f32; 3]>,
+    /// Unit normal of each, pointing to the side of the recto.
     pub normals: Vec<[f32; 3]>,
     /// Cosine and sine of the gutter's turn before each node.
     pub turned: Vec<[f32; 2]>,

@@ -23,14 +23,18 @@ const SELF: usize = 3;
 
 /// Where and what a sheet touches: its nodes over the flat table and its contacts.
 pub struct ContactView<'a> {
+    /// x, y, z of each node over the flat table, metres.
     pub flat: &'a [f32],
+    /// The half-spaces of each node, in the flat table's coordinates, to be written.
     pub contacts: &'a mut [[Contact; CONTACTS]],
+    /// Coefficient of friction of the sheet on what it touches.
     pub friction: f32,
 }
 
 /// A neighbour of a leaf.
 #[derive(Clone, Copy)]
 pub struct Neighbour<'a> {
+    /// The neighbour, where it is in the book.
     pub leaf: &'a BookSpaceLeaf,
     /// 1 where it is already where it will be at the end of the tick; else how
     /// firmly it is pushed, as it will be pushed back itself.

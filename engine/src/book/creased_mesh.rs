@@ -6,6 +6,7 @@ use crate::paper_mesh::PaperMesh;
 /// The drawn mesh of a creased leaf, and what contact looks up in it.
 #[derive(Clone, Debug)]
 pub(super) struct CreasedMesh {
+    /// How the drawn points lie on the flat paper.
     pub paper: PaperMesh,
     /// See [`Folds::of`](crate::contact::mesh::Folds::of).
     pub falling: Vec<bool>,

@@ -62,7 +62,7 @@ impl Gutter {
         }
     }
 
-    /// Bends a leaf's nodes into the gutter: `flat` are x, y, z of each over a flat table.
+    /// Bends a leaf's nodes into the gutter: `flat` are x, y, z of each over a flat table, metres.
     pub fn bend(&self, flat: &[f32], in_book: &mut BookSpaceLeaf) {
         let rows = flat.as_chunks::<3>().0.chunks_exact(self.columns);
         let places = in_book.points.chunks_exact_mut(self.columns);

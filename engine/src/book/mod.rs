@@ -136,7 +136,7 @@ impl Book {
         &self.flights.pattern().paper
     }
 
-    /// The stock of a leaf.
+    /// The stock of a leaf, counted from 0; the book's own where there is no such leaf.
     pub fn stock_of(&self, leaf: u32) -> Stock {
         self.flights.pattern().kind_of(leaf).0
     }
@@ -250,7 +250,8 @@ impl Book {
     }
 
     /// How many leaves are drawn by themselves: those in flight, and creased ones that lie
-    /// upon a pile.
+    /// upon a pile. Whatever is asked by an `index` is of one of these, counted from 0 at the left;
+    /// None where there is none of that number.
     pub fn drawn_leaves(&self) -> usize {
         self.flights.order().len()
     }
@@ -405,13 +406,12 @@ impl Book {
         self.flights.flying()
     }
 
-    /// The number of the flight at `index`, counted from the left.
+    /// The number by which the drawn leaf at `index` is commanded.
     pub fn flight_id(&self, index: usize) -> Option<u32> {
         self.flights.order().get(index).map(|flight| flight.id())
     }
 
-    /// Leaves of paper that the flight at `index`, counted from the left, stands
-    /// for.
+    /// Leaves of paper that the drawn leaf at `index` stands for.
     pub fn leaves(&self, index: usize) -> Option<u32> {
         self.flights
             .order()
@@ -431,8 +431,7 @@ impl Book {
         self.flights.get(id).map(|flight| flight.phase())
     }
 
-    /// The drawn surface of the flight at `index`, counted from the left, as of
-    /// the last update.
+    /// The surface of the drawn leaf at `index`, as of the last update.
     pub fn surface(&self, index: usize) -> Option<&Surface> {
         self.flights
             .order()
@@ -440,57 +439,56 @@ impl Book {
             .map(|flight| flight.surface())
     }
 
-    /// Where the points of the flight at `index`, counted from the left, would have been drawn in the
-    /// last update if they were not held back: x, y, z in metres. See [`lag`](Self::lag).
+    /// Where the points of the drawn leaf at `index` would have been drawn in the last update if
+    /// they were not held back: x, y, z in metres. See [`lag`](Self::lag).
     pub fn target(&self, index: usize) -> Option<&[f32]> {
         self.flights.order().get(index).map(Flight::target)
     }
 
-    /// The points of the flight at `index`, counted from the left: x, y, z in metres over
-    /// a flat table, at the surface's columns and rows, as its sheet is now. What is
-    /// written over them is what the next update bends into the gutter and draws, in
-    /// place of the sheet: so another model shows a leaf that grabs and contacts move
-    /// as paper.
+    /// The points of the drawn leaf at `index`: x, y, z in metres over a flat table, at the
+    /// surface's columns and rows, as its sheet is now. What is written over them is what the next
+    /// update bends into the gutter and draws, in place of the sheet: so another model shows a leaf
+    /// that grabs and contacts move as paper.
     pub fn override_surface(&mut self, index: usize) -> Option<&mut [f32]> {
         self.flights.override_surface(index)
     }
 
-    /// Thickness of the leaf of the flight at `index`, counted from the left, metres.
+    /// Thickness of the paper of the drawn leaf at `index`, metres.
     pub fn caliper(&self, index: usize) -> Option<f32> {
         let flight = self.flights.order().get(index)?;
         Some(flight.leaf().sheet().settings().stock.caliper as f32)
     }
 
-    /// Largest strain, stretch or compression, of any edge between neighbouring
-    /// nodes of the flight at `index`, counted from the left.
+    /// Largest strain, stretch or compression, of any edge between neighbouring nodes of the drawn
+    /// leaf at `index`.
     pub fn strain(&self, index: usize) -> Option<f32> {
         let flight = self.flights.order().get(index)?;
         Some(flight.leaf().sheet().max_edge_strain())
     }
 
-    /// Largest shear of a cell of the flight at `index`, radians; counted from the
-    /// left. See [`Sheet::max_shear`](crate::Sheet::max_shear).
+    /// Largest shear of a cell of the drawn leaf at `index`, radians. See
+    /// [`Sheet::max_shear`](crate::Sheet::max_shear).
     pub fn shear(&self, index: usize) -> Option<f32> {
         let flight = self.flights.order().get(index)?;
         Some(flight.leaf().sheet().max_shear())
     }
 
-    /// Largest stretch of a diagonal of a cell of the flight at `index`; counted from
-    /// the left. See [`Sheet::max_diagonal_stretch`](crate::Sheet::max_diagonal_stretch).
+    /// Largest stretch of a diagonal of a cell of the drawn leaf at `index`. See
+    /// [`Sheet::max_diagonal_stretch`](crate::Sheet::max_diagonal_stretch).
     pub fn diagonal_stretch(&self, index: usize) -> Option<f32> {
         let flight = self.flights.order().get(index)?;
         Some(flight.leaf().sheet().max_diagonal_stretch())
     }
 
-    /// Deepest contact of a node of the flight at `index` in the last tick,
-    /// metres, before the tick pushed it out; counted from the left.
+    /// Deepest contact of a node of the drawn leaf at `index` in the last tick, metres, before the
+    /// tick pushed it out.
     pub fn depth(&self, index: usize) -> Option<f32> {
         let flight = self.flights.order().get(index)?;
         Some(flight.leaf().in_book_space().depth)
     }
 
-    /// Whether the flight at `index`, counted from the left, is being eased flat: its
-    /// nodes are then moved to their places of rest.
+    /// Whether the drawn leaf at `index` is being eased flat: its nodes are then moved to their
+    /// places of rest.
     pub fn is_settling(&self, index: usize) -> Option<bool> {
         let flight = self.flights.order().get(index)?;
         Some(flight.leaf().is_down())
@@ -503,8 +501,8 @@ impl Book {
         self.flights.landed()
     }
 
-    /// How far what is drawn of the flight at `index`, counted from the left, is from
-    /// where its paper is, metres, as it would be drawn through another leaf there.
+    /// How far the drawn leaf at `index` is drawn from where its paper is, metres, as it would be
+    /// drawn through another leaf there.
     pub fn lag(&self, index: usize) -> Option<f32> {
         self.flights.order().get(index).map(|flight| flight.lag())
     }

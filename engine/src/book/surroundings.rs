@@ -121,7 +121,7 @@ impl<'a> Surroundings<'a> {
         Some((normal, (z - height) * inverse))
     }
 
-    /// A place, or the one above it that is not in another sheet: no grab pulls through one.
+    /// A place, metres, or the one above it that is not in another sheet: no grab pulls through one.
     pub fn over_sheets(&self, [x, y, z]: [f32; 3]) -> [f32; 3] {
         let heights = self
             .under

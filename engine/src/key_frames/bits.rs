@@ -36,6 +36,7 @@ pub(super) struct BitWriter {
 }
 
 impl BitWriter {
+    /// Writes the lowest `count` bits of a number, at most 32.
     pub fn bits(&mut self, value: u32, count: u32) {
         for bit in 0..count {
             if self.used.is_multiple_of(8) {
@@ -73,6 +74,7 @@ impl BitWriter {
         self.used
     }
 
+    /// The bytes, the last filled up with zeros.
     pub fn finish(self) -> Vec<u8> {
         self.bytes
     }
@@ -85,10 +87,12 @@ pub(super) struct BitReader<'a> {
 }
 
 impl<'a> BitReader<'a> {
+    /// A reader at the first bit.
     pub fn new(bytes: &'a [u8]) -> Self {
         Self { bytes, used: 0 }
     }
 
+    /// Reads `count` bits, at most 32, as a number; None where there are fewer.
     pub fn bits(&mut self, count: u32) -> Option<u32> {
         let mut value = 0;
         for bit in 0..count {

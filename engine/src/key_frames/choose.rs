@@ -93,7 +93,7 @@ impl Search<'_> {
     }
 }
 
-/// The longest distance between points of two frames.
+/// The longest distance between points of two frames, in their unit of length.
 pub(super) fn farthest(a: &[f32], b: &[f32]) -> f32 {
     let (a, b) = (a.as_chunks::<3>().0, b.as_chunks::<3>().0);
     let square = |(a, b): (&[f32; 3], &[f32; 3])| -> f32 {

@@ -10,7 +10,9 @@ use crate::models::mass_spring::Preset;
 pub const FORMAT_VERSION: u16 = 3;
 
 const MAGIC: [u8; 4] = *b"TLKF";
+/// Bytes of the header that all versions begin with.
 pub(super) const HEADER: usize = 36;
+/// Bytes of the checksum that all files end with.
 pub(super) const CHECKSUM: usize = 8;
 /// More points along a side, or more frames, than any real record has.
 const MOST_POINTS: u32 = 4096;
@@ -121,6 +123,9 @@ impl KeyFrames {
 }
 
 /// The version that bytes say they are of.
+///
+/// # Errors
+/// Where they are of no such file, or of a version newer than [`FORMAT_VERSION`].
 pub(super) fn version(bytes: &[u8]) -> Result<u16, KeyFrameError> {
     if bytes.len() < 4 || bytes[..4] != MAGIC {
         return Err(KeyFrameError::NotKeyFrames);
@@ -143,6 +148,9 @@ pub(super) fn sealed(mut bytes: Vec<u8>) -> Vec<u8> {
 }
 
 /// The content of a file that should be so long, without its checksum.
+///
+/// # Errors
+/// Where there are more or fewer bytes, or the checksum is not theirs.
 pub(super) fn unsealed(bytes: &[u8], expected: u64) -> Result<&[u8], KeyFrameError> {
     let found = bytes.len() as u64;
     if found != expected {
@@ -155,7 +163,10 @@ pub(super) fn unsealed(bytes: &[u8], expected: u64) -> Result<&[u8], KeyFrameErr
     Ok(content)
 }
 
-/// Times of frames, checked.
+/// Checks that times of frames, seconds, rise.
+///
+/// # Errors
+/// Where one is not finite, or not after the one before.
 pub(super) fn rising(times: &[f32]) -> Result<(), KeyFrameError> {
     let mut before = f32::NEG_INFINITY;
     for (frame, &time) in times.iter().enumerate() {
@@ -169,17 +180,27 @@ pub(super) fn rising(times: &[f32]) -> Result<(), KeyFrameError> {
 
 /// What the first bytes say.
 pub(super) struct Header {
+    /// What a frame holds.
     pub kind: FrameKind,
+    /// The model that was recorded.
     pub model: ModelKind,
+    /// The preset of its settings.
     pub preset: Preset,
+    /// Width and height of the leaf, both above 0: metres, or the preset's own unit of length.
     pub size: [f32; 2],
+    /// Points along a row of a frame.
     pub columns: u32,
+    /// Rows of a frame.
     pub rows: u32,
+    /// How many frames follow.
     pub frames: u32,
 }
 
 impl Header {
     /// Reads and checks them; `length` is that of the whole header.
+    ///
+    /// # Errors
+    /// Where there are too few bytes, or a field is out of its bounds.
     pub fn read(bytes: &[u8], version: u16, length: usize) -> Result<Self, KeyFrameError> {
         if bytes.len() < length + CHECKSUM {
             return Err(KeyFrameError::WrongLength {
@@ -237,6 +258,8 @@ impl Header {
         (HEADER + CHECKSUM) as u64 + 4 * floats
     }
 
+    /// Reads the frames of version 1 from what follows the header. Fails if times do not rise or a
+    /// position is not finite.
     pub fn content(self, bytes: &[u8]) -> Result<KeyFrames, KeyFrameError> {
         let (words, _) = bytes.as_chunks::<4>();
         let mut times: Vec<f32> = words.iter().map(|word| f32::from_le_bytes(*word)).collect();

@@ -40,7 +40,7 @@ pub(super) fn rounded(mesh: &PaperMesh, columns: usize, rows: usize) -> Option<P
     })
 }
 
-/// Packs a [rounded](rounded) mesh of points in columns at `u` and rows at `v`.
+/// Packs a [rounded] mesh of points in columns at `u` and rows at `v`.
 pub(super) fn pack(mesh: &PaperMesh, u: &[f32], v: &[f32]) -> Vec<u8> {
     let mut writer = BitWriter::default();
     for axis in 0..2 {

@@ -14,7 +14,9 @@ pub enum Blend {
 /// Frames that a blend reads, and the weight of each.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Mix {
+    /// Their indices.
     pub frame: [usize; 4],
+    /// Their weights, in the same order.
     pub weight: [f32; 4],
 }
 

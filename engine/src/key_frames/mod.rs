@@ -46,7 +46,7 @@ pub struct KeyFrames {
     pub model: ModelKind,
     /// The preset of its settings.
     pub preset: Preset,
-    /// Width and height of the leaf.
+    /// Width and height of the leaf, metres, or the preset's own unit of length.
     pub size: [f32; 2],
     /// Points along a row of a frame.
     pub columns: usize,
@@ -54,13 +54,13 @@ pub struct KeyFrames {
     pub rows: usize,
     /// When each frame was taken: seconds since the start, rising.
     pub times: Vec<f32>,
-    /// Frame after frame, x, y, z of each point, row by row from the foot.
+    /// Frame after frame, x, y, z of each point in that unit, row by row from the foot.
     pub positions: Vec<f32>,
 }
 
 impl KeyFrames {
     /// A record without frames of what a model yields, which `take` fills.
-    /// `size` is the leaf's width and height.
+    /// `size` is the leaf's width and height, as [`size`](Self::size).
     pub fn of_surface(model: ModelKind, size: [f32; 2], surface: &Surface) -> Self {
         Self {
             kind: FrameKind::Surface,

@@ -24,6 +24,8 @@ pub(super) enum Body {
 }
 
 impl Body {
+    /// A leaf of the settings' model, flat and still on its side. Fails if the model rejects the
+    /// settings.
     pub fn new(settings: &LooseSettings) -> Result<Self, InvalidLoose> {
         let [width, height] = settings.size;
         let mut air = Air::still(width);
@@ -79,6 +81,7 @@ impl Body {
         Ok(Self::Kinematic(Box::new(Kinematic::new(own)?)))
     }
 
+    /// The leaf as any model.
     pub fn model(&self) -> &dyn TurnModel {
         match self {
             Self::Kinematic(leaf) => &**leaf,
@@ -88,6 +91,7 @@ impl Body {
         }
     }
 
+    /// The leaf as any model, to be changed.
     pub fn model_mut(&mut self) -> &mut dyn TurnModel {
         match self {
             Self::Kinematic(leaf) => &mut **leaf,
@@ -178,6 +182,7 @@ impl Body {
         true
     }
 
+    /// A hand takes hold at (`u`, `v`), each 0 to 1.
     pub fn grab(&mut self, u: f32, v: f32) {
         match self {
             Self::Kinematic(leaf) => leaf.grab(u, v),
@@ -187,6 +192,7 @@ impl Body {
         }
     }
 
+    /// The hand pulls to a place, metres.
     pub fn pull(&mut self, to: [f32; 3]) {
         match self {
             Self::Kinematic(leaf) => leaf.pull(to),
@@ -196,6 +202,7 @@ impl Body {
         }
     }
 
+    /// The hand lets go.
     pub fn release(&mut self) {
         match self {
             Self::Kinematic(leaf) => leaf.release(),

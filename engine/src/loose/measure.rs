@@ -13,12 +13,12 @@ use crate::turn::TurnModel;
 /// has them all the same.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct LeafEnergies {
-    /// Of motion, without the air's.
+    /// Of motion, without the air's, J.
     pub kinetic: f64,
     /// Of bending and twist, by second differences of the nodes: no number of a creased leaf,
     /// of which these say nothing.
     pub bending: f64,
-    /// Of height over the table.
+    /// Of height over the table, J.
     pub gravity: f64,
 }
 

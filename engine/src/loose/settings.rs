@@ -72,6 +72,9 @@ const LARGEST_MATRIX: usize = 64 << 20;
 impl LooseSettings {
     /// Whether they are a leaf's, as far as this does not depend on the model. Each model
     /// has bounds of its own within these.
+    ///
+    /// # Errors
+    /// Where a figure is no number or out of bounds, in a sentence.
     pub(super) fn check(&self) -> Result<(), InvalidLoose> {
         for count in self.samples {
             if !(2..=1024).contains(&count) {

@@ -30,6 +30,7 @@ pub(super) struct Springs {
 }
 
 impl Springs {
+    /// A leaf of masses and springs, flat and still on its side. Fails if the settings make none.
     pub fn new(settings: &LooseSettings) -> Result<Self, InvalidSettings> {
         let [width, height] = settings.size.map(|size| size as f32);
         let of_paper = settings.preset != Preset::Book;
@@ -73,12 +74,14 @@ impl Springs {
         Ok(springs)
     }
 
+    /// Draws at every pair of `u` and `v`, each 0 to 1, unless the leaf draws its nodes.
     pub fn draw_samples(&mut self, u: &[f32], v: &[f32]) {
         if self.interpolate {
             self.leaf.draw_samples(u, v);
         }
     }
 
+    /// Lays it flat and still on a side, nothing holding it.
     pub fn lay_flat(&mut self, side: crate::grid::Side) {
         self.leaf.lay_flat(side);
         self.held.clear();
@@ -119,6 +122,7 @@ impl Springs {
         }
     }
 
+    /// The hand pulls to a place, metres, as far as paper reaches.
     pub fn pull(&mut self, to: [f32; 3]) {
         for &(column, row, along) in &self.held {
             let [x, y, z] = to.map(|x| x.clamp(-1e3, 1e3) / self.unit);
@@ -127,6 +131,7 @@ impl Springs {
         }
     }
 
+    /// The hand lets go.
     pub fn release(&mut self) {
         self.held.clear();
         self.leaf.release_all();

@@ -32,6 +32,7 @@ pub struct CreaseState {
 /// A sheet hinged at the spine over a table.
 #[derive(Debug)]
 pub(super) struct TableSheet {
+    /// The sheet that moves.
     pub sheet: Sheet,
     /// What keeps its parts apart once it is creased.
     pub(super) flaps: Option<Flaps>,
@@ -41,6 +42,9 @@ pub(super) struct TableSheet {
 
 impl TableSheet {
     /// A leaf's sheet in such air, drawn at every pair of `u` and `v`.
+    ///
+    /// # Errors
+    /// Where the settings make no sheet, in a sentence.
     pub fn new(
         settings: &LooseSettings,
         air: Air,

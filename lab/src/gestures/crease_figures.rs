@@ -9,25 +9,43 @@ use super::scene::Outcome;
 /// Figures of folds and tears. Lengths are those on a page 140 mm wide.
 #[derive(Clone, Debug, Serialize)]
 pub struct CreaseFigures {
+    /// Folds that were made.
     pub folds_made: u32,
+    /// Folds that leaves have too few nodes for.
     pub folds_rejected: u32,
+    /// How far creases that no pointer held came off their rests, at most.
     pub rests_off_degrees: f32,
+    /// The same of those that one held.
     pub rests_off_held_degrees: f32,
+    /// The deepest that a leaf at rest is drawn in itself.
     pub at_rest_in_itself_mm: f32,
+    /// The deepest that one is drawn in another.
     pub at_rest_in_leaves_mm: f32,
+    /// The deepest that one is drawn in a pile or a board.
     pub at_rest_in_piles_mm: f32,
+    /// Part of the gestures after which a leaf is drawn too deep in itself.
     pub at_rest_in_itself_fraction: f64,
     /// More than ten times as deep as [`TOO_DEEP`]: it is seen.
     pub at_rest_far_in_itself_fraction: f64,
+    /// Part of the gestures in which one is drawn too deep in another or a pile.
     pub in_others_fraction: f64,
+    /// Part of the gestures in which one is drawn too deep in itself.
     pub in_itself_fraction: f64,
+    /// Leaves that came off by the pull.
     pub torn_off: u32,
+    /// Leaves that were cut.
     pub torn_cut: u32,
+    /// Largest edge strain of a torn leaf.
     pub torn_strain_worst: f32,
+    /// The deepest that one is drawn in pages, boards or the table.
     pub torn_in_piles_mm: f32,
+    /// The deepest that one is drawn in itself.
     pub torn_in_itself_mm: f32,
+    /// Part of the pictures of loose sheets in which one goes through a leaf.
     pub torn_through_leaves_fraction: f64,
+    /// How far the work of tearing was from that of the paper which held, at most, as a part of it.
     pub torn_work_off: f64,
+    /// Part of the loose sheets that did not lie still by themselves.
     pub torn_left_fraction: f64,
 }
 

@@ -17,12 +17,14 @@ const BESIDE: u32 = 3;
 /// What folds and tears did. Lengths are in metres on a page 140 mm wide.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct CreaseOutcome {
-    /// Folds that were made, and that leaves have too few nodes for.
+    /// Folds that were made.
     pub made: u32,
+    /// Folds that leaves have too few nodes for.
     pub rejected: u32,
-    /// How far creases came off the rests they were given, radians: of leaves that no pointer
-    /// held since, and of all others, which a hand may open.
+    /// How far creases of leaves that no pointer held since came off the rests they were given, at
+    /// most, radians.
     pub rests_off: f32,
+    /// The same of all others, which a hand may open.
     pub rests_off_held: f32,
     /// Drawn penetration before the gesture and once all lies at rest; in itself counts by parts
     /// too.
@@ -48,6 +50,7 @@ pub struct Creasing {
     leaves: Vec<FoldedLeaf>,
     pressing: Option<TimedFolding>,
     tear: Option<Tear>,
+    /// What has been seen so far.
     pub outcome: CreaseOutcome,
 }
 

@@ -63,12 +63,14 @@ impl Block {
     }
 }
 
+/// A box: its least and its greatest corner, metres.
 #[derive(Clone, Copy)]
 pub struct Bounds([f32; 3], [f32; 3]);
 
 impl Bounds {
     const NONE: Bounds = Bounds([f32::MAX; 3], [f32::MIN; 3]);
 
+    /// The box around points; one that holds nothing where there are none.
     pub fn of(points: impl IntoIterator<Item = Point>) -> Bounds {
         points.into_iter().fold(Bounds::NONE, |b, p| {
             Bounds(
@@ -168,15 +170,18 @@ impl<'a> Facets<'a> {
         }
     }
 
+    /// The surface's points, row by row from the foot, metres.
     pub fn points(&self) -> &'a [Point] {
         self.points
     }
 
+    /// What its creases change of its facets; None where it has none.
     #[cfg(test)]
     pub fn folds(&self) -> Option<&Folds> {
         self.folds.as_ref()
     }
 
+    /// Points along a row.
     pub fn columns(&self) -> usize {
         self.columns
     }

@@ -211,11 +211,15 @@ const WORST_CREASES: [(&str, Ranked); 6] = [
 /// The figures of some gestures.
 #[derive(Serialize)]
 pub struct Figures {
+    /// How many gestures these are.
     pub count: usize,
     edge_strain_median: f32,
+    /// Largest edge strain that 99 of 100 gestures stay below.
     pub edge_strain_p99: f32,
+    /// Largest edge strain of all.
     pub edge_strain_worst: f32,
     edge_strain_after_release: f32,
+    /// Largest edge strain of a leaf that is being eased flat.
     pub edge_strain_eased: f32,
     shear_p99_degrees: f32,
     shear_worst_degrees: f32,
@@ -226,8 +230,11 @@ pub struct Figures {
     drawn_penetration_mm: f32,
     drawn_penetration_median_mm: f32,
     drawn_penetration_p99_mm: f32,
+    /// The deepest that a leaf is drawn in a pile or under a board.
     pub drawn_penetration_in_piles_mm: f32,
+    /// The deepest that one is drawn in another.
     pub drawn_penetration_in_leaves_mm: f32,
+    /// The deepest that one is drawn in itself.
     pub drawn_penetration_in_itself_mm: f32,
     drawn_too_deep_fraction: f64,
     edges_through_facets: usize,
@@ -235,27 +242,37 @@ pub struct Figures {
     solver_penetration_median_mm: f32,
     solver_penetration_p90_mm: f32,
     solver_penetration_p99_mm: f32,
+    /// Part of the frames in which a leaf is drawn more than a millimetre behind its paper.
     pub frames_behind_fraction: f64,
     drawn_behind_p99_mm: f32,
     drawn_behind_worst_mm: f32,
+    /// From when all were let go until all lay still: the median.
     pub seconds_to_rest_median: f32,
+    /// The same: the longest.
     pub seconds_to_rest_worst: f32,
     seconds_to_rest_from_start_median: f32,
     seconds_to_rest_from_start_worst: f32,
     landed: u32,
     put_down: u32,
+    /// Part of the leaves that came to rest which were put down.
     pub put_down_fraction: f64,
+    /// Whether all came to lie still.
     pub at_rest: bool,
+    /// Whether all that is drawn was a number.
     pub finite: bool,
     leaves: usize,
     us_per_frame_p50: f32,
+    /// Microseconds of CPU that 99 of 100 frames stay below.
     pub us_per_frame_p99: f32,
     us_per_frame_by_leaves: Vec<FrameTimes>,
+    /// Most milliseconds of CPU of a frame.
     pub cpu_ms_per_frame_worst: f32,
     cpu_ms_per_update_worst: f32,
     update_work_worst: usize,
+    /// Most work of a frame, in about nanoseconds, as it is counted.
     pub work_per_frame_worst: usize,
     cpu_ms_per_tick_worst: f32,
+    /// What folds and tears did; None where leaves were whole.
     #[serde(flatten)]
     pub creases: Option<CreaseFigures>,
 }

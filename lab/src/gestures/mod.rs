@@ -90,6 +90,9 @@ pub struct Report {
 }
 
 /// Runs the experiment.
+///
+/// # Errors
+/// Where a table cannot be written, in a sentence.
 pub fn run(options: &Options) -> Result<Report, String> {
     options.into.as_deref().map_or(Ok(()), make_folder)?;
     let choice = Choice {

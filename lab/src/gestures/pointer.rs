@@ -5,8 +5,9 @@ use super::world::USUAL;
 
 /// A pointer that holds a flight.
 pub struct Pointer {
-    /// The flight's number, and the grab's on it.
+    /// The number of the flight.
     pub flight: u32,
+    /// The number of its grab on that.
     pub number: u32,
     style: Style,
     at: [f32; 3],

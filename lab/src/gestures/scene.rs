@@ -37,11 +37,13 @@ pub struct Outcome {
     /// The same, of leaves that no pointer has held for half a second and that are not
     /// being eased flat.
     pub strain_after: f32,
-    /// Largest shear of a cell, radians, and stretch of a diagonal, of any leaf.
+    /// Largest shear of a cell of any leaf, radians.
     pub shear: f32,
+    /// Largest stretch of a diagonal of a cell of any leaf, as part of it.
     pub diagonal: f32,
-    /// The same of leaves that no pointer has touched.
+    /// Largest shear of a cell of leaves that no pointer has touched, radians.
     pub shear_played: f32,
+    /// Largest stretch of a diagonal of these, as part of it.
     pub diagonal_played: f32,
     /// Drawn penetration.
     pub drawn: Overlap,
@@ -51,9 +53,11 @@ pub struct Outcome {
     pub finite: bool,
     /// Leaves in flight and seconds of CPU of each frame of two ticks and an update.
     pub frames: Vec<(usize, f64)>,
-    /// Most seconds of CPU of an update, of a frame, and of a tick.
+    /// Most seconds of CPU of an update.
     pub update: f64,
+    /// Most seconds of CPU of a frame.
     pub frame: f64,
+    /// Most seconds of CPU of a tick.
     pub tick: f64,
     /// Most work of an update, as it is counted.
     pub update_work: u32,
@@ -69,8 +73,9 @@ pub struct Outcome {
     pub rest_from_start: f32,
     /// Whether all came to lie still.
     pub at_rest: bool,
-    /// Leaves that came to rest, and those of them that were put down.
+    /// Leaves that came to rest.
     pub landed: u32,
+    /// Those of them that were put down.
     pub put_down: u32,
     /// What folds and tears did; None where leaves are whole.
     pub creases: Option<CreaseOutcome>,

@@ -38,22 +38,26 @@ const LEFT: u32 = 480;
 /// What was done to torn leaves and what they did. Lengths are in metres on a page 140 mm wide.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Torn {
-    /// Leaves that came off by the pull, and those that were cut.
+    /// Leaves that came off by the pull.
     pub off: u32,
+    /// Leaves that were cut.
     pub cut: u32,
     /// Largest edge strain after any tick.
     pub strain: f32,
-    /// Deepest drawn inside pages, boards or the table, and inside itself.
+    /// Deepest drawn inside pages, boards or the table.
     pub pile: f32,
+    /// Deepest drawn inside itself.
     pub itself: f32,
-    /// Pictures of a loose sheet, and those of them in which it goes through a leaf.
+    /// Pictures of a loose sheet.
     pub pictures: u32,
+    /// Those of them in which it goes through a leaf.
     pub through: u32,
     /// How far the work of tearing was from that of the paper which held, at most, as a part
     /// of it.
     pub work_off: f64,
-    /// Sheets that lay still by themselves, and those that were left as they lay.
+    /// Sheets that lay still by themselves.
     pub still: u32,
+    /// Sheets that were left as they lay.
     pub left: u32,
 }
 

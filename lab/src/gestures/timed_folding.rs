@@ -8,6 +8,7 @@ const TICKS: u32 = 60;
 
 /// A leaf that is being folded.
 pub struct TimedFolding {
+    /// The leaf, from 0 at the front.
     pub leaf: u32,
     /// Where its folds rested when that began, and where they will rest, radians.
     from: Vec<f32>,

@@ -1,5 +1,6 @@
 //! Points, edges and triangles in space: where they meet, and how near they are.
 
+/// x, y, z in metres.
 pub type Point = [f32; 3];
 
 /// Where an edge goes through a facet.

@@ -269,6 +269,7 @@ impl World {
 
 /// An open book.
 pub struct Opened {
+    /// The book, as the engine has it.
     pub book: Book,
     /// Its leaves of paper, and how thick these are together, metres.
     pub leaves: u32,

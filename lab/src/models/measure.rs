@@ -35,12 +35,16 @@ pub struct Seen {
     pub faults: Option<Faults>,
     /// Microseconds of every frame.
     pub times: Vec<f64>,
+    /// Bytes that it holds in memory.
     pub bytes: usize,
     /// How far the corner is from a hand that draws it, over the width.
     pub misses: Option<Vec<f64>>,
 }
 
 /// Looks at a way on all turns, `again` more times for the clock alone.
+///
+/// # Errors
+/// Where the way makes no leaf, in a sentence.
 pub fn look(way: &Way, again: usize) -> Result<Seen, String> {
     let (mut seen, mut faults) = (Seen::default(), Faults::default());
     for by in TurnBy::ALL {
@@ -149,7 +153,9 @@ pub fn follow<'a>(moments: impl Iterator<Item = &'a [[f64; 3]]>) -> Vec<f64> {
 /// How far a track is from another, over the width.
 #[derive(Serialize)]
 pub struct Apart {
+    /// Root mean square of the distances, over all frames and places.
     pub rms: f64,
+    /// The longest.
     pub worst: f64,
     /// The worst at whole tenths of a second, as `lab agree` looks.
     pub worst_at_tenths: f64,
@@ -186,18 +192,27 @@ impl Apart {
 /// are over the width, angles in degrees; what photographs have none of is none.
 #[derive(Serialize)]
 pub struct Figures {
+    /// The name of the way.
     pub name: &'static str,
+    /// Whether it is the one that the others are measured from.
     pub reference: bool,
+    /// Median microseconds of a frame.
     pub us_per_frame: f64,
+    /// Bytes that it holds in memory.
     pub bytes: usize,
+    /// Root mean square distance from the reference, over all turns.
     pub rms: f64,
+    /// Longest distance from it.
     pub worst: f64,
     /// The worst of the two carried turns at tenths of a second.
     pub worst_as_agree: f64,
+    /// How far it is from the reference in each turn.
     pub turns: BTreeMap<&'static str, Apart>,
     #[serde(flatten)]
     pub faults: FaultFigures,
+    /// How far the corner is from a hand that draws it, in each frame.
     pub drag_misses: Option<Vec<f64>>,
+    /// The median of these.
     pub drag_miss: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub of_live: Option<OfLive>,
@@ -206,14 +221,23 @@ pub struct Figures {
 /// What is wrong with a drawn surface.
 #[derive(Default, Serialize)]
 pub struct FaultFigures {
+    /// Largest stretch of the mesh's edges.
     pub stretch: Option<f32>,
+    /// Largest compression of them, below 0.
     pub compression: Option<f32>,
+    /// Largest change of the whole area, as part of it.
     pub area_change: Option<f64>,
+    /// Largest change of a cell's angle.
     pub angle_defect_degrees: Option<f64>,
+    /// Largest angle between the normals of neighbouring facets.
     pub facet_angle_degrees: Option<f64>,
+    /// Largest shear of a cell of nodes.
     pub shear_degrees: Option<f64>,
+    /// Largest stretch of a diagonal of a cell of nodes, as part of it.
     pub diagonal_stretch: Option<f64>,
+    /// Longest distance of a point of the spine from where it is bound.
     pub spine_off: Option<f64>,
+    /// Whether the spine stays where it is bound, within a ten-thousandth of the width.
     pub keeps_spine: Option<bool>,
 }
 
@@ -236,8 +260,11 @@ impl FaultFigures {
 /// A replay beside the live leaf that it repeats.
 #[derive(Serialize)]
 pub struct OfLive {
+    /// Root mean square distance, the worst turn's, over the width.
     pub rms: f64,
+    /// Longest distance, likewise.
     pub worst: f64,
+    /// How many times cheaper a frame of it is.
     pub times_cheaper: f64,
 }
 

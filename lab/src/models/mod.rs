@@ -70,6 +70,9 @@ pub struct Comparison {
 }
 
 /// Runs the experiment.
+///
+/// # Errors
+/// Where a way makes no leaf, or a file cannot be written, in a sentence.
 pub fn run(options: &Options) -> Result<Comparison, String> {
     for folder in [&options.pictures, &options.into].into_iter().flatten() {
         make_folder(folder)?;

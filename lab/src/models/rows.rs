@@ -12,8 +12,9 @@ use turnleaf_engine::{
 use super::timing::{AFTER, FRAME, TURN};
 use crate::specimen::{BREADTH, LENGTH};
 
-/// Nodes and step of the reference. Its two discretisations tell how fine that is.
+/// Columns and rows of nodes of the reference. Its two discretisations tell how fine that is.
 pub const NODES: [usize; 2] = [17, 23];
+/// Length of its step, seconds.
 pub const STEP: f64 = 1.0 / 240.0;
 
 /// How far a sheet's key frames may lead from its turn, over the width.
@@ -39,7 +40,9 @@ pub enum Source {
 pub struct Way {
     /// Its name in reports.
     pub name: &'static str,
+    /// How it comes by its surface.
     pub source: Source,
+    /// The leaf that it turns.
     pub settings: LooseSettings,
 }
 
@@ -155,6 +158,9 @@ impl Way {
     ///
     /// # Panics
     /// Where it is photographs, which have no leaf.
+    ///
+    /// # Errors
+    /// Where its settings make no leaf, or its turn cannot be recorded so, in a sentence.
     pub fn begin(&self, by: TurnBy) -> Result<Box<dyn TurnModel>, String> {
         let model: Box<dyn TurnModel> = match self.source {
             Source::Photographs => unreachable!("photographs have no leaf"),
@@ -191,6 +197,9 @@ impl Way {
 
     /// The leaf itself. A turn by a corner is synchronised along the dog-ear line
     /// that cuts it off.
+    ///
+    /// # Errors
+    /// Where its settings make none, in a sentence.
     pub fn leaf(&self, by: TurnBy, interpolate: bool) -> Result<LooseLeaf, String> {
         let mut settings = LooseSettings {
             interpolate,

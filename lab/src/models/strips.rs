@@ -24,6 +24,9 @@ pub fn file(name: &str) -> String {
 }
 
 /// Writes a strip for each way.
+///
+/// # Errors
+/// Where there is no reference among the ways, or a picture cannot be written, in a sentence.
 pub fn write(folder: &Path, ways: &[Way], seen: &[Seen]) -> Result<(), String> {
     let page = (BREADTH / LENGTH) as f32;
     let moments: Vec<Vec<Moment>> = seen.iter().map(moments).collect();

@@ -20,6 +20,9 @@ const VERSO: [f32; 3] = [231.0, 234.0, 240.0];
 const LIFT: f32 = 0.06;
 
 /// Writes a picture into a folder; returns its path.
+///
+/// # Errors
+/// Where it cannot be written, in a sentence.
 pub fn save(picture: &Pixmap, folder: &FilePath, name: &str) -> Result<String, String> {
     let path = folder.join(name).display().to_string();
     match picture.save_png(&path) {
@@ -316,6 +319,7 @@ pub(super) fn stroke(
     }
 }
 
+/// A paint of a colour (red, green and blue, 0 to 1) and an opacity, 0 to 1.
 pub(super) fn solid<'a>(colour: [f32; 3], opacity: f32) -> Paint<'a> {
     let [r, g, b] = colour.map(|value| value.clamp(0.0, 255.0) as u8);
     let mut paint = Paint {

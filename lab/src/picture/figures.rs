@@ -25,6 +25,9 @@ const BLUE: [f32; 3] = [44.0, 92.0, 140.0];
 
 /// Writes figure-1.png to figure-4.png and figure-5.svg into a folder; returns their
 /// paths.
+///
+/// # Errors
+/// Where a leaf cannot be made or a picture cannot be written, in a sentence.
 pub fn write(out: &Path, size: u32) -> Result<Vec<String>, String> {
     let pictures = [
         masses_and_springs(size)?,

@@ -65,6 +65,9 @@ impl Display for Written {
 }
 
 /// Runs the experiment.
+///
+/// # Errors
+/// Where a leaf cannot be made or a picture cannot be written, in a sentence.
 pub fn run(options: &Options) -> Result<Written, String> {
     let Options { scene, .. } = options;
     let PictureOptions { out, frames, size } = &options.pictures;

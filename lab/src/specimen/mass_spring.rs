@@ -11,6 +11,10 @@ struct Springs {
 }
 
 /// A piece of masses and springs.
+///
+/// # Errors
+/// Where it is held elsewhere than at the spine, weighs sideward, or its settings make no leaf, in
+/// a sentence.
 pub fn make(piece: &Piece) -> Result<Box<dyn Specimen>, String> {
     let Held::Clamp(angle) = piece.held else {
         return Err("Masses and springs are always held at the spine, and only there.".into());

@@ -183,6 +183,9 @@ impl dyn Specimen + '_ {
     }
 
     /// Spreads a force evenly along a column of nodes, N.
+    ///
+    /// # Errors
+    /// Where the model takes no loads, in a sentence.
     pub fn load_column(&mut self, column: usize, force: [f64; 3]) -> Result<(), String> {
         let rows = self.grid().1;
         for row in 0..rows {
@@ -205,6 +208,9 @@ const SWINGING: usize = 10;
 /// Steps a piece until in a whole second no node has moved further than a
 /// ten-thousandth of its length, nor moves faster than ten of these a second.
 /// `stop` puts it at places, not moving.
+///
+/// # Errors
+/// Where it flies apart, or still moves when patience ends, in a sentence.
 pub fn swing_to_rest<S: Specimen>(
     piece: &mut S,
     length: f64,

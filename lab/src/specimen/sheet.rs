@@ -24,6 +24,9 @@ pub fn stock(piece: &Piece) -> Stock {
 }
 
 /// A piece of the sheet with such settings.
+///
+/// # Errors
+/// Where its settings make no sheet, in a sentence.
 pub fn make(piece: &Piece, settings: Settings) -> Result<Box<dyn Specimen>, String> {
     let mut settings = settings.sheet([piece.length, piece.breadth], stock(piece));
     settings.columns = piece.columns.unwrap_or(settings.columns);

@@ -19,6 +19,9 @@ struct ShellPiece {
 }
 
 /// A piece of the shell.
+///
+/// # Errors
+/// Where its settings make no shell, in a sentence.
 pub fn make(piece: &Piece) -> Result<Box<dyn Specimen>, String> {
     let leaf = ShellSettings::leaf(
         &Stock::BOOK,

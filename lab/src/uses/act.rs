@@ -9,8 +9,9 @@ use super::reader::Reader;
 /// Height of a pointer's arch over the spine, as a part of its reach: the viewer's.
 const ARCH: f32 = 0.62;
 
-/// Frames in which a hand takes a leaf over, and in which it flicks one up.
+/// Frames in which a hand takes a leaf over.
 const OVER: u32 = 48;
+/// Frames in which a hand flicks a leaf up.
 pub const FLICK: u32 = 9;
 
 /// Frames before a held key repeats, and until it is let go.

@@ -10,6 +10,7 @@ const FRAME: f32 = 1e3 / 60.0;
 /// What runs did to what is drawn.
 #[derive(Serialize)]
 pub struct Figures {
+    /// How many runs these are.
     pub runs: usize,
     frames: usize,
     /// Part of the frames in which a leaf is drawn more than 5 mm behind its paper, percent, and

@@ -216,6 +216,9 @@ pub struct Report {
 
 impl Report {
     /// Plays the runs of seeds that are called so, and lists so many of the worst.
+    ///
+    /// # Errors
+    /// Where no run is called so, in a sentence.
     pub fn of(seeds: Range<u64>, only: &[String], worst: usize) -> Result<Report, String> {
         let mut played: Vec<(Run, Seen)> = Vec::new();
         for seed in seeds {

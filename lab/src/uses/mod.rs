@@ -108,6 +108,9 @@ pub struct Uses {
 }
 
 /// Runs the experiment.
+///
+/// # Errors
+/// Where no run is called so, or a table cannot be written, in a sentence.
 pub fn run(options: &Options) -> Result<Report, String> {
     options.into.as_deref().map_or(Ok(()), make_folder)?;
     if options.folded {

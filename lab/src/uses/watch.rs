@@ -19,19 +19,23 @@ const STILL: f32 = 0.1;
 const STRETCHED: f32 = 0.2;
 const LEAST_EDGE: f32 = 1e-3;
 
-/// What a frame took: seconds of CPU, and nanoseconds as counted.
+/// What a frame took.
 #[derive(Default)]
 pub struct Frame {
+    /// Seconds of CPU.
     pub seconds: f64,
+    /// Work as counted, about nanoseconds of native code.
     pub work: u32,
 }
 
 /// What was seen. Lengths are in metres.
 #[derive(Default)]
 pub struct Watched {
+    /// Frames that were looked at.
     pub frames: usize,
-    /// Frames in which some leaf is drawn more than 5 mm behind its paper, and how far at most.
+    /// Frames in which some leaf is drawn more than 5 mm behind its paper.
     pub behind: usize,
+    /// The farthest that a leaf is drawn behind its paper.
     pub farthest: f32,
     /// Most frames in a row in which one leaf stands still while its paper moves.
     pub still: u32,
@@ -41,8 +45,9 @@ pub struct Watched {
     pub depth: f32,
     /// How deep one is drawn in itself.
     pub itself: f32,
-    /// Most seconds of CPU of a frame, and most of its work as counted, nanoseconds.
+    /// Most seconds of CPU of a frame.
     pub seconds: f64,
+    /// Most work of a frame as counted, about nanoseconds.
     pub work: u32,
 }
 
@@ -59,6 +64,7 @@ pub struct Watch {
     /// Every so many pictures it is measured how deep leaves are drawn in each other.
     looked_at: usize,
     before: HashMap<u32, Before>,
+    /// What has been seen so far.
     pub watched: Watched,
 }
 

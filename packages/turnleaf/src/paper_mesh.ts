@@ -36,7 +36,7 @@ export interface SplitMesh {
 }
 
 /** Returns the key of a point and a part in `SplitMesh.vertices`. */
-export const vertexKey = (point: number, part: number): number => point * 0x10000 + part;
+const vertexKey = (point: number, part: number): number => point * 0x10000 + part;
 
 /** Splits the points on creases, so that no vertex belongs to two parts of the leaf. */
 export function splitMesh({ places, triangles, parts }: PaperMesh): SplitMesh {

@@ -31,12 +31,14 @@ pub struct FlapPlace {
 }
 
 impl FlapPlace {
+    /// Whether every figure is one that a flap can have.
     pub(super) fn is_sound(&self) -> bool {
         (1..=PANELS).contains(&self.panels)
             && (NEAREST..=1.0).contains(&self.fold)
             && (NARROWEST..=self.fold).contains(&self.layout().width())
     }
 
+    /// The panels of a flap at this place.
     pub(super) fn layout(&self) -> Panels {
         Panels {
             count: self.panels,
@@ -48,6 +50,7 @@ impl FlapPlace {
 /// The panels of a flap, from its first fold to its edge.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Panels {
+    /// How many there are.
     pub count: usize,
     /// Width of them all, as a fraction of the page's.
     width: f64,

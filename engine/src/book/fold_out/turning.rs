@@ -20,6 +20,7 @@ const CARRIED: f32 = 0.05;
 pub(super) struct Turn {
     /// Angles of the folds at the start, radians: by how much each turns what is beyond it inward.
     pub from: [f32; PANELS],
+    /// Whether it opens the flap; else it shuts it.
     pub is_to_open: bool,
     /// Stages of it that are over.
     pub part: f32,
@@ -64,7 +65,7 @@ impl Turn {
         self.part = first.unwrap_or(panels.stages()) as f32;
     }
 
-    /// The angles of the folds now.
+    /// The angles of the folds now, radians.
     pub fn angles(&self, panels: Panels) -> [f32; PANELS] {
         core::array::from_fn(|fold| {
             if fold >= panels.count {
@@ -85,11 +86,11 @@ impl Turn {
 pub(super) struct Drawn {
     /// How far beyond the fold the edge was when the pointer took hold, metres.
     pub edge: f32,
-    /// Where the pointer holds the flap.
+    /// Where the pointer holds the flap, 0 at its first fold to 1 at its edge.
     pub u: f32,
     /// Where across the book the pointer pulled first, metres.
     pub first: Option<f32>,
-    /// Angles of the folds now, as of a turn.
+    /// Angles of the folds now, radians as of a turn.
     pub angles: [f32; PANELS],
 }
 

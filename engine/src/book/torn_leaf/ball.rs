@@ -42,6 +42,7 @@ pub(super) struct Ball {
     /// The centre of mass, metres; by columns where its axes point.
     at: [f32; 3],
     axes: Matrix,
+    /// Of its centre, m/s.
     pub(super) velocity: [f32; 3],
     /// Radians a second.
     pub(super) spin: [f32; 3],

@@ -24,6 +24,7 @@ const STAPLES: [f64; 2] = [0.25, 0.75];
 /// A row of the spine that holds.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct BoundRow {
+    /// The spring that holds its node at the spine.
     pub tether: Tether,
     /// Work of tearing it, J.
     pub work: f32,

@@ -17,6 +17,7 @@ pub(super) struct Fall {
 }
 
 impl Fall {
+    /// A board of the leaf's size and weight, hinged at the spine, in its air.
     pub fn new(settings: &KinematicSettings) -> Self {
         let (own, air) = (settings.stock.grammage, &settings.air);
         let (width, mass) = (settings.width, own + air.added_mass);
@@ -28,7 +29,7 @@ impl Fall {
         }
     }
 
-    /// An angle and its rate after a step of `h` seconds.
+    /// An angle, radians, and its rate, rad/s, after a step of `h` seconds.
     pub fn step(&self, angle: f64, rate: f64, h: f64) -> (f64, f64) {
         // At the very top it would stand for seconds: it goes on to the left.
         let level = libm::cos(angle);
@@ -43,7 +44,7 @@ impl Fall {
         ((angle + h * rate).clamp(0.0, PI), rate)
     }
 
-    /// Part of its bend that is left after a step.
+    /// Part of its bend that is left after a step of `h` seconds.
     pub fn straightening(h: f64) -> f64 {
         libm::exp(-h / STRAIGHTENS)
     }

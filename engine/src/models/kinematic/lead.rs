@@ -5,16 +5,21 @@
 pub(super) struct Lead {
     /// Metres along u and v.
     pub place: [f64; 2],
-    /// Angle about the spine, distance from it, place along it, as for a turn
-    /// from right to left.
+    /// Angle about the spine for a turn from right to left, radians: 0 level on the right, pi on the
+    /// left.
     pub angle: f64,
+    /// Distance from the spine, metres.
     pub distance: f64,
+    /// Place along the spine from the foot, metres.
     pub along: f64,
-    /// How conical a cone is; none where the hand says it.
+    /// How conical a cone is, -1 to 1 as of [`Cone::toward`](super::shapes::Cone::toward); None where the
+    /// place to which it leads says it.
     pub conical: Option<f64>,
 }
 
 impl Lead {
+    /// A place of the flat leaf, metres along u and v, led to where it is when the leaf lies at an
+    /// angle, radians.
     pub fn rest(place: [f64; 2], angle: f64) -> Self {
         Self {
             place,
@@ -25,12 +30,13 @@ impl Lead {
         }
     }
 
+    /// Where it is led: x, y, z in metres.
     pub fn at(&self) -> [f64; 3] {
         let (sin, cos) = libm::sincos(self.angle);
         [self.distance * cos, self.along, self.distance * sin]
     }
 
-    /// Leads to a place within reach.
+    /// Leads to a place, metres, or the nearest that paper reaches on a spine `height` metres long.
     pub fn go(&mut self, height: f64, [x, y, z]: [f64; 3]) {
         let (distance, z) = (libm::hypot(x, z.max(0.0)), z.max(0.0));
         [self.distance, self.along] = reach(height, self.place, [distance, y]);
@@ -38,7 +44,7 @@ impl Lead {
     }
 }
 
-/// The point nearest to `at` (distance from the spine, place along it) where
+/// The point nearest to `at` (distance from the spine, place along it; all metres) where
 /// paper reaches: no farther from either end of a spine of `height` than `place`
 /// is on the flat leaf.
 pub(super) fn reach(height: f64, place: [f64; 2], at: [f64; 2]) -> [f64; 2] {

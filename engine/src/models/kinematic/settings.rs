@@ -48,6 +48,7 @@ impl KinematicSettings {
         }
     }
 
+    /// Whether the settings make a leaf. Fails with the first that does not.
     pub(super) fn check(&self) -> Result<(), InvalidKinematic> {
         self.stock.check().map_err(InvalidKinematic::Stock)?;
         for (what, value) in [("columns", self.columns), ("rows", self.rows)] {

@@ -6,12 +6,15 @@ use super::springs::SpringSystem;
 /// Forces of one leaf.
 #[derive(Clone, Debug)]
 pub(crate) struct Forces {
+    /// The springs between nodes.
     pub springs: SpringSystem,
+    /// The plate's bending; None where it has no stiffness.
     pub bending: Option<Bending>,
     /// Weight of each node, newtons downward; 0 for padding.
     pub weight: Vec<f32>,
     /// Drag in newtons per metre a second.
     pub drag: f32,
+    /// Velocity of the air, m/s.
     pub wind: [f32; 3],
 }
 

@@ -3,7 +3,9 @@
 /// A node held at a place that moves.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Held {
+    /// Column of the node, from 0 at the spine.
     pub column: usize,
+    /// Row of the node, from 0 at the foot.
     pub row: usize,
     /// Where it was at the end of the last step.
     pub from: [f32; 3],

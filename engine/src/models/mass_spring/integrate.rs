@@ -7,7 +7,9 @@ use crate::grid::Grid;
 /// Motion of all nodes, and the room that integrators need.
 #[derive(Clone, Debug)]
 pub(crate) struct Motion {
+    /// x, y, z of the nodes, an array over the grid each, in the model's unit of length.
     pub position: [Vec<f32>; 3],
+    /// Their velocities, likewise, a second.
     pub velocity: [Vec<f32>; 3],
     force: [Vec<f32>; 3],
     stage: Option<Box<Stage>>,

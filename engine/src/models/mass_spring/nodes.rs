@@ -3,7 +3,8 @@
 use super::MassSpring;
 
 impl MassSpring {
-    /// Position of the node in `column` (0 spine) and `row` (0 foot).
+    /// Position of the node in `column` (0 spine) and `row` (0 foot): x, y, z in metres, or in the unit
+    /// of length of the preset `paper-2014`.
     ///
     /// # Panics
     /// If there is no such node; so do the others here.
@@ -12,14 +13,14 @@ impl MassSpring {
         [0, 1, 2].map(|axis| self.motion.position[axis][lane])
     }
 
-    /// Velocity of a node. Held nodes have one only where the strain limit makes
+    /// Velocity of a node, in that unit a second. Held nodes have one only where the strain limit makes
     /// velocities follow from positions.
     pub fn velocity(&self, column: usize, row: usize) -> [f32; 3] {
         let lane = self.lane(column, row);
         [0, 1, 2].map(|axis| self.motion.velocity[axis][lane])
     }
 
-    /// Puts a node somewhere. Fixed and held nodes return at the next step.
+    /// Puts a node at a place, as [`position`](Self::position). Fixed and held nodes return at the next step.
     pub fn set_position(&mut self, column: usize, row: usize, position: [f32; 3]) {
         let lane = self.lane(column, row);
         for axis in 0..3 {
@@ -61,7 +62,7 @@ impl MassSpring {
         self.release_all();
     }
 
-    /// Greatest speed of any node.
+    /// Greatest speed of any node, in the unit of length a second.
     pub fn greatest_speed(&self) -> f32 {
         let [x, y, z] = &self.motion.velocity;
         self.grid
@@ -70,7 +71,7 @@ impl MassSpring {
             .fold(0.0, f32::max)
     }
 
-    /// Kinetic energy of the nodes that are not fixed or held, computed in f64.
+    /// Kinetic energy of the nodes that are not fixed or held, J, computed in f64.
     pub fn kinetic_energy(&self) -> f64 {
         let square = |value: f32| f64::from(value) * f64::from(value);
         self.grid
@@ -88,7 +89,7 @@ impl MassSpring {
             .sum()
     }
 
-    /// Energy stored in springs, bending and height, computed in f64.
+    /// Energy stored in springs, bending and height, J, computed in f64.
     pub fn potential_energy(&self) -> f64 {
         let position = &self.motion.position;
         let height: f64 = self

@@ -123,7 +123,7 @@ impl Bending {
         }
     }
 
-    /// Energy of bending.
+    /// Energy of bending, J.
     pub fn energy(&self, position: &[Vec<f32>; 3]) -> f64 {
         let mut energy = 0.0;
         for stencil in &self.stencils {

@@ -45,11 +45,11 @@ pub enum StrainLimit {
 /// The three kinds of springs of Provot 1995. Stiffness in newtons a metre.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Springs {
-    /// Between neighbours along rows and columns.
+    /// Between neighbours along rows and columns, N/m.
     pub structural: f32,
-    /// Along both diagonals of each cell.
+    /// Along both diagonals of each cell, N/m.
     pub shear: f32,
-    /// Between every other node along rows and columns.
+    /// Between every other node along rows and columns, N/m.
     pub bend: f32,
     /// Damping along each structural, shear and bend spring, newtons per metre
     /// a second; the paper has none.
@@ -65,11 +65,11 @@ pub struct Springs {
 /// the paper's preset.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Plate {
-    /// Against bending along u (across the spine).
+    /// Against bending along u (across the spine), N m.
     pub u: f32,
-    /// Against bending along v (along the spine).
+    /// Against bending along v (along the spine), N m.
     pub v: f32,
-    /// Against twist.
+    /// Against twist, N m.
     pub twist: f32,
     /// Loss: stiffness-proportional damping in seconds.
     pub loss: f32,
@@ -149,9 +149,9 @@ pub struct Settings {
     pub columns: usize,
     /// Rows of nodes, 3 to 16.
     pub rows: usize,
-    /// Width of the leaf from the spine to the fore-edge.
+    /// Width of the leaf from the spine to the fore-edge, metres.
     pub width: f32,
-    /// Height of the leaf from the foot to the head.
+    /// Height of the leaf from the foot to the head, metres.
     pub height: f32,
     /// Side on which the leaf rests at first.
     pub side: Side,
@@ -166,7 +166,7 @@ pub struct Settings {
     /// Quadratic drag across the sheet: newtons a square metre, per (metre a
     /// second) squared. Half the air's density times the drag coefficient.
     pub air_drag: f32,
-    /// Velocity of the air, against which both kinds of drag work.
+    /// Velocity of the air, m/s, against which both kinds of drag work.
     pub wind: [f32; 3],
     /// Whether the table, z = 0, holds the free nodes up.
     pub floor: bool,
@@ -342,6 +342,9 @@ impl core::error::Error for InvalidSettings {}
 
 impl Settings {
     /// Whether the settings make a leaf.
+    ///
+    /// # Errors
+    /// Where they make none, in a sentence.
     pub(crate) fn check(&self) -> Result<(), InvalidSettings> {
         let reject = |sentence: String| Err(InvalidSettings(sentence));
         for (what, count) in [("columns", self.columns), ("rows", self.rows)] {

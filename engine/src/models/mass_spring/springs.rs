@@ -19,7 +19,7 @@ const TINY: f32 = 1e-30;
 pub(crate) struct Family {
     /// Lanes from a spring's first node to its second.
     pub shift: usize,
-    /// Rest length.
+    /// Rest length, in the unit of the leaf's width.
     pub rest: f32,
     /// Stiffness by the lane of the first node; 0 where there is no spring.
     stiffness: Vec<f32>,
@@ -40,6 +40,7 @@ pub(crate) struct Family {
 /// All springs of a leaf.
 #[derive(Clone, Debug)]
 pub(crate) struct SpringSystem {
+    /// The springs by direction and rest length.
     pub families: Vec<Family>,
     lanes: usize,
 }
@@ -249,7 +250,7 @@ impl SpringSystem {
         range
     }
 
-    /// Energy stored in the springs.
+    /// Energy stored in the springs, J.
     pub fn energy(&self, position: &[Vec<f32>; 3]) -> f64 {
         let mut energy = 0.0;
         for family in &self.families {

@@ -34,6 +34,7 @@ pub(crate) struct Limiter {
 }
 
 impl Limiter {
+    /// A limiter of a kind for leaves of a grid.
     pub fn new(kind: StrainLimit, grid: &Grid) -> Self {
         let count = grid.columns.max(grid.rows);
         let chain = Chain {

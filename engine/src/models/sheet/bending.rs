@@ -55,6 +55,7 @@ pub(super) struct Bending {
 }
 
 impl Bending {
+    /// The bending of an even grid of nodes, clamped or free at the spine as the settings say.
     pub fn new(settings: &SheetSettings) -> Bending {
         let (columns, rows) = (settings.columns, settings.rows);
         let mut sum = Sum {

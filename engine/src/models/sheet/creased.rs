@@ -8,6 +8,7 @@ use super::torn::Torn;
 /// The creases of a sheet, and what bends and draws it once it has some.
 #[derive(Clone, Debug)]
 pub(super) struct Creased {
+    /// The creases as they were made; the hinges have their rests of now.
     pub lines: Vec<SheetCrease>,
     /// What bends in the place of second differences.
     pub hinges: Hinges,

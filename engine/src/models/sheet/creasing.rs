@@ -317,6 +317,7 @@ impl Sheet {
         self.creased.as_ref().map(Box::as_ref)
     }
 
+    /// The same, to be changed.
     pub(super) fn creased_mut(&mut self) -> Option<&mut Creased> {
         self.creased.as_mut().map(Box::as_mut)
     }

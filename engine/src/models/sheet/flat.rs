@@ -3,7 +3,7 @@
 /// A place on the paper, metres.
 pub(super) type Place = [f64; 2];
 
-/// Distance between two places.
+/// Distance between two places, metres.
 pub(super) fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
     let d = [a[0] - b[0], a[1] - b[1]];
     (d[0] * d[0] + d[1] * d[1]).sqrt()
@@ -21,7 +21,7 @@ pub(super) fn weights(place: [f64; 2], [a, b, c]: [[f64; 2]; 3]) -> [f64; 3] {
     [(b, c), (c, a), (a, b)].map(|(p, q)| twice_area(place, p, q) / all)
 }
 
-/// Length of a line through places.
+/// Length of a line through places, metres.
 pub(super) fn length(line: &[[f64; 2]]) -> f64 {
     line.windows(2).map(|pair| distance(pair[0], pair[1])).sum()
 }

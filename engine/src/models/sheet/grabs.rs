@@ -27,6 +27,7 @@ const RECOVERY: f32 = 6.0;
 /// A grab that holds a sheet.
 #[derive(Clone, Debug)]
 pub(super) struct Grab {
+    /// The number by which it is commanded.
     pub id: u32,
     /// Place on the flat leaf, metres along u and v.
     place: [f32; 2],
@@ -44,6 +45,8 @@ pub(super) struct Grab {
 }
 
 impl Grab {
+    /// A grab at (`u`, `v`), each 0 to 1 or the nearer of these, of a sheet whose nodes are at
+    /// `positions` (x, y, z of each, metres), pulling to where it holds.
     pub fn new(
         id: u32,
         [u, v]: [f32; 2],
@@ -111,7 +114,7 @@ impl Grab {
         self.place.map(f64::from)
     }
 
-    /// Pulls toward a place; one that is no number is ignored.
+    /// Pulls toward a place, metres; one that is no number is ignored.
     pub fn pull(&mut self, to: [f32; 3]) {
         if to.iter().all(|x| x.is_finite()) {
             self.wanted = to.map(|x| x.clamp(-1e3, 1e3));
@@ -125,7 +128,7 @@ impl Grab {
         self.pace = (self.pace * HESITATION).max(SLOWEST);
     }
 
-    /// Where the pad's middle is on the leaf.
+    /// Where the pad's middle is on the leaf, metres, whose nodes are at `positions`.
     pub fn held_place(&self, positions: &[f32]) -> [f32; 3] {
         let x = positions.as_chunks::<3>().0;
         let mut sum = [0.0; 3];

@@ -22,6 +22,7 @@ const TWO: [[usize; 2]; 3] = [[1, 0], [2, 0], [2, 1]];
 /// A triangle with its corners in rising order.
 #[derive(Clone, Debug)]
 pub(super) struct HingeTriangle {
+    /// Numbers of its nodes, rising.
     pub corners: [usize; 3],
     /// Across each of its hinges.
     apexes: [usize; 3],

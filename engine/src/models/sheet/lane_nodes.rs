@@ -10,7 +10,7 @@ pub(super) struct LaneNodes {
     columns: usize,
     /// Nodes from one row to the next.
     pub stride: usize,
-    /// x, y and z.
+    /// x, y and z of the nodes, a list each.
     pub axes: [Vec<f32>; 3],
 }
 

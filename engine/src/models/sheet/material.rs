@@ -28,7 +28,9 @@ const ROUNDS: usize = 200;
 /// The nodes on the flat paper, and where it is creased.
 #[derive(Clone, Debug)]
 pub(super) struct Material {
+    /// Nodes along a row.
     pub columns: usize,
+    /// Rows, from the foot.
     pub rows: usize,
     /// Metres along u and v, row by row.
     pub places: Vec<[f64; 2]>,
@@ -38,6 +40,7 @@ pub(super) struct Material {
     pub crumples: bool,
     /// Mean sides of a cell, and the sheet's, metres.
     pub cell: [f64; 2],
+    /// The paper's width and height, metres.
     pub size: [f64; 2],
     /// Edges of the grid and diagonals of cells that lie on creases: two nodes, the
     /// lower first, and the number of the crease.
@@ -53,7 +56,9 @@ pub(super) struct Material {
 /// A line over the paper, from edge to edge.
 #[derive(Clone, Copy)]
 pub(super) struct Line {
+    /// Where it begins, metres along u and v.
     pub from: [f64; 2],
+    /// Where it ends, likewise.
     pub to: [f64; 2],
 }
 

@@ -44,6 +44,7 @@ pub(super) struct Membrane {
 }
 
 impl Membrane {
+    /// Stretch and shear of the settings' stiffness between the nodes of a material.
     pub fn new(settings: &SheetSettings, material: &Material) -> Membrane {
         let (columns, rows) = (settings.columns, settings.rows);
         let [du, dv] = settings.cell();

@@ -344,7 +344,7 @@ impl Sheet {
         self.velocities.copy_from_slice(velocities);
     }
 
-    /// Moves every node to a place and stills it: x, y, z of each. The edges keep
+    /// Moves every node to a place and stills it: x, y, z of each, metres. The edges keep
     /// their lengths, so it may come to lie a little beside it.
     pub fn place(&mut self, positions: impl Iterator<Item = f32>) {
         for (own, x) in self.positions.iter_mut().zip(positions) {
@@ -354,7 +354,7 @@ impl Sheet {
         self.velocities.fill(0.0);
     }
 
-    /// Puts the nodes where they were, and still.
+    /// Puts the nodes at `positions` (x, y, z of each, metres), where they were, and still.
     pub(crate) fn put_back(&mut self, positions: &[f32]) {
         self.positions.copy_from_slice(positions);
         self.velocities.fill(0.0);
@@ -394,7 +394,10 @@ impl Sheet {
         &mut self.contacts
     }
 
-    /// Holds a node at a place, or lets it go.
+    /// Holds a node at a place, metres, or lets it go (None).
+    ///
+    /// # Panics
+    /// If there is no such node.
     pub fn pin(&mut self, column: usize, row: usize, place: Option<[f32; 3]>) {
         let node = row * self.settings.columns + column;
         self.pins[node] = place;
@@ -404,8 +407,8 @@ impl Sheet {
         }
     }
 
-    /// A grab takes hold at (`u`, `v`); one of the same number lets go of what
-    /// it held.
+    /// A grab takes hold at (`u`, `v`), each 0 to 1 or the nearer of these; one of the same number
+    /// lets go of what it held.
     pub fn grab(&mut self, grab: u32, u: f32, v: f32) {
         self.release(grab);
         if u.is_finite() && v.is_finite() {

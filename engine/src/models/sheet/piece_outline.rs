@@ -6,6 +6,7 @@ use super::torn_path::spread_evenly;
 /// The sides of a piece but its path, each from the path on or from left to right.
 pub(super) struct Outline {
     left: Vec<Place>,
+    /// The side opposite the path, from left to right.
     pub far: Vec<Place>,
     right: Vec<Place>,
     /// Whether the paper's edge goes straight on in the far corner on the right, or in that on

@@ -181,6 +181,9 @@ impl SheetSettings {
     }
 
     /// Whether the settings make a sheet.
+    ///
+    /// # Errors
+    /// Where a setting is no number, out of bounds, or beyond this build.
     pub(super) fn check(&self) -> Result<(), InvalidSheet> {
         self.stock.check().map_err(InvalidSheet::Stock)?;
         for (what, count) in [("columns", self.columns), ("rows", self.rows)] {

@@ -114,6 +114,7 @@ pub(crate) struct Apart {
 }
 
 impl Sweep {
+    /// Sweeps over the edges of a material; nodes that the settings hold at the spine do not move.
     pub fn new(settings: &SheetSettings, material: &Material) -> Sweep {
         let (columns, rows, first) = (settings.columns, settings.rows, settings.first());
         let count = columns * rows;

@@ -16,6 +16,7 @@ pub(super) struct System {
     numbers: Vec<u32>,
     /// Newtons; x, y, z of every node, also of those that do not move.
     pub forces: Vec<f32>,
+    /// The lower half of the matrix, N/m.
     pub matrix: Band<f32>,
     unknowns: Vec<f32>,
 }
@@ -56,7 +57,7 @@ impl System {
         self.numbers[node] as usize
     }
 
-    /// Adds a force to a node.
+    /// Adds a force, N, to a node.
     #[inline(always)]
     pub fn push(&mut self, node: usize, force: [f32; 3]) {
         for axis in 0..3 {
@@ -64,7 +65,7 @@ impl System {
         }
     }
 
-    /// Adds `k` to the three diagonal entries of a node.
+    /// Adds `k`, N/m, to the three diagonal entries of a node.
     pub fn add_diagonal(&mut self, node: usize, k: f32) {
         let at = self.unknown(node);
         let width = self.matrix.half_bandwidth();

@@ -26,6 +26,7 @@ impl Tether {
         0.5 * self.stiffness * dot(away, away)
     }
 
+    /// Adds the spring's force and stiffness to the system of a step that begins at `positions`.
     pub(super) fn add_to(&self, system: &mut System, positions: &[f32]) {
         let x = positions.as_chunks::<3>().0[self.node];
         let pull = core::array::from_fn(|axis| self.stiffness * (self.place[axis] - x[axis]));
@@ -50,6 +51,7 @@ impl Tie {
         0.5 * self.stiffness * dot(between, between)
     }
 
+    /// Adds the spring's forces and stiffness to the system of a step that begins at `positions`.
     pub(super) fn add_to(&self, system: &mut System, positions: &[f32]) {
         let [a, b] = self.nodes;
         let between = self.between(positions);

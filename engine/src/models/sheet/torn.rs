@@ -17,6 +17,7 @@ const BEYOND: f64 = 0.001;
 /// How a sheet is torn across, or was.
 #[derive(Clone, Debug)]
 pub(super) struct Torn {
+    /// How its page's places are counted.
     pub frame: Frame,
     path: Vec<[f64; 2]>,
     /// How far along the path its nodes lie, metres; None where they do evenly.

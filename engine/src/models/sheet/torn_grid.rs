@@ -70,6 +70,7 @@ impl Frame {
 /// The grid of a page that is torn along a path.
 #[derive(Clone, Debug)]
 pub(crate) struct TornGrid {
+    /// How its page's places are counted.
     pub frame: Frame,
     /// The path from one edge to another, along rising u of the frame, metres: as a hand tears
     /// along it.
@@ -84,6 +85,7 @@ pub(crate) struct TornGrid {
     pub spacing: f64,
     /// How far apart the nodes of its path were at first, metres.
     pub opening_spacing: f64,
+    /// Nodes along the path.
     pub columns: usize,
     /// Rows of the piece at the foot, on the right of the path, and of the one at the head.
     pub rows: [usize; 2],

@@ -12,6 +12,7 @@ const CUTS: usize = 3;
 /// By how much a hand that tears strays from its path, metres, and over which length: some
 /// millimetres over a few centimetres. Its torn edge wanders by less than a millimetre beside.
 const STRAY: f64 = 0.0025;
+/// The length over which it does, metres.
 pub(super) const STRAYS_OVER: f64 = 0.03;
 
 /// Moves a place to the edge of the page that is next to it.

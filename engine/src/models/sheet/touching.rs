@@ -11,7 +11,9 @@ use crate::triangle::{BESIDE, Triangle};
 /// A node of one part of a sheet over a triangle of another.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Touching {
+    /// Number of the node.
     pub node: usize,
+    /// Numbers of the triangle's nodes.
     pub under: [usize; 3],
     /// Which corners of the triangle are on creases: parts are joined there, and keep the less
     /// distance the nearer, on the crease none.

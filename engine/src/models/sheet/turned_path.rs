@@ -106,7 +106,7 @@ fn heading_of(way: Place) -> f64 {
     libm::atan2(way[1], way[0])
 }
 
-/// An angle within half a turn of 0.
+/// An angle, radians, as the same one from -pi to pi.
 pub(crate) fn wrapped(angle: f64) -> f64 {
     angle - 2.0 * PI * libm::round(angle / (2.0 * PI))
 }

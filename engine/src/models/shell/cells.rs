@@ -5,7 +5,7 @@ use super::settings::InvalidShell;
 /// A flat mesh and what it is made of, in SI units.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MeshSettings {
-    /// Places of the nodes on the flat paper.
+    /// Places of the nodes on the flat paper, m.
     pub places: Vec<[f64; 2]>,
     /// The three or four nodes of each cell, counterclockwise.
     pub cells: Vec<Vec<usize>>,
@@ -16,6 +16,8 @@ pub struct MeshSettings {
 }
 
 impl MeshSettings {
+    /// Whether every cell has three or four nodes of the mesh, counterclockwise, and every
+    /// stiffness is above 0. Fails with a sentence.
     pub(super) fn check(&self) -> Result<(), InvalidShell> {
         for cell in &self.cells {
             let of_mesh = cell.iter().all(|node| *node < self.places.len());
@@ -33,11 +35,12 @@ impl MeshSettings {
         Ok(())
     }
 
+    /// Area of all cells, m^2.
     pub(super) fn area(&self) -> f64 {
         self.cells.iter().map(|cell| self.area_of(cell)).sum()
     }
 
-    /// Area of the polygon of some nodes.
+    /// Area of the polygon of some nodes, m^2; below 0 where they go around clockwise.
     pub(super) fn area_of(&self, nodes: &[usize]) -> f64 {
         let next = nodes.iter().cycle().skip(1);
         let twice = nodes.iter().zip(next).map(|(a, b)| {
@@ -50,6 +53,9 @@ impl MeshSettings {
     /// Cuts the edge between two nodes. An end whose cells hang together no longer gets a
     /// second node, which the cells on one side then have in its place. Returns the nodes
     /// that were doubled; their doubles are the last of the mesh, in the same order.
+    ///
+    /// # Errors
+    /// Where the edge is not between two cells, or no end of it comes apart, in a sentence.
     pub(super) fn cut(&mut self, from: usize, to: usize) -> Result<Vec<usize>, InvalidShell> {
         let beside = |from, to| {
             let has_side = |cell: &Vec<usize>| sides(cell).any(|side| side == (from, to));
@@ -108,7 +114,7 @@ impl MeshSettings {
         fan
     }
 
-    /// The way from one node to another on the flat paper.
+    /// The way from one node to another on the flat paper, m.
     pub(super) fn way(&self, from: usize, to: usize) -> [f64; 2] {
         let ([au, av], [bu, bv]) = (self.places[from], self.places[to]);
         [bu - au, bv - av]

@@ -47,7 +47,9 @@ pub(super) fn direction(angle: f64) -> Vector {
 /// The clamps at the spine and at the fore-edge, where there are any.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Clamps {
+    /// At u = 0; None where that edge is free.
     pub spine: Option<Clamp>,
+    /// At u = 1, likewise.
     pub fore_edge: Option<Clamp>,
 }
 

@@ -45,6 +45,7 @@ impl Crease {
 pub(super) struct Fold {
     /// Which hinge, and which crease.
     pub hinge: usize,
+    /// The crease's place in the settings' list.
     pub crease: usize,
     /// Angle of the hinge where neither crease nor paper bears a moment.
     rest: f64,
@@ -77,7 +78,7 @@ impl Fold {
         }
     }
 
-    /// What the paper bends where the hinge is at an angle.
+    /// What the paper bends where the hinge is at an angle, both radians.
     pub fn bent(&self, angle: f64) -> f64 {
         self.fraction * (angle - self.rest)
     }
@@ -92,7 +93,7 @@ impl Fold {
         self.rest + self.turned(bent)
     }
 
-    /// Angle at which the crease bears no moment.
+    /// Angle at which the crease bears no moment, radians.
     pub fn rest(&self) -> f64 {
         self.rest
     }

@@ -16,7 +16,9 @@ const TABLE: f64 = 200.0 * 60.0 * 60.0;
 /// A hand that holds a leaf.
 #[derive(Clone, Debug)]
 pub(super) struct Hand {
+    /// The nodes under it.
     pub pad: Vec<Pressed<f64>>,
+    /// Where it pulls the middle of its pad, m.
     pub target: Vector,
     /// Its greatest force, N.
     pub strength: f64,
@@ -86,16 +88,21 @@ impl Hand {
 /// Elasticity, weight, loads, the table and the hand.
 #[derive(Debug)]
 pub(super) struct Forces {
+    /// The edges that are held.
     pub clamps: Clamps,
     /// Mass of each node, kg.
     pub masses: Vec<f64>,
+    /// Acceleration of gravity, m/s^2.
     pub gravity: Vector,
     /// A constant force on each node, N.
     pub loads: Vec<Vector>,
+    /// Stretch and shear.
     pub membrane: Membrane,
+    /// Bending, by the settings' discretisation.
     pub bending: Box<dyn Bending>,
     /// Whether there is a table at z = 0.
     pub table: bool,
+    /// The hand that holds the leaf, if one does.
     pub hand: Option<Hand>,
 }
 

@@ -50,6 +50,7 @@ pub(super) struct GridBending {
 }
 
 impl GridBending {
+    /// The bending of a grid of a plate's stiffness, held by clamps.
     pub fn new(mesh: &Mesh, rigidity: &Rigidity, clamps: &Clamps) -> Self {
         let plates = clamps.plates(mesh, rigidity);
         let mut stencils = Vec::new();

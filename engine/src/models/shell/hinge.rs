@@ -10,6 +10,7 @@ use super::vector::{Block, Vector, advance, cross, difference, dot, length, oute
 pub(super) struct Angle {
     /// Positive where the surface bulges towards its normals, radians.
     pub value: f64,
+    /// Its derivatives by the places of the four vertices, rad/m.
     pub gradient: [Vector; 4],
 }
 

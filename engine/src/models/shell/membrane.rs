@@ -133,12 +133,14 @@ impl Membrane {
         }
     }
 
+    /// Energy, J, where the nodes are at `x`, m.
     pub fn energy(&self, x: &[Vector]) -> f64 {
         let stretch: f64 = self.stretch.iter().map(|s| s.energy(x)).sum();
         let shear: f64 = self.shear.iter().map(|s| s.energy(x)).sum();
         self.softness * (stretch + shear)
     }
 
+    /// Adds gradient and Hessian: the exact one, or one without negative directions.
     pub fn add_to(&self, x: &[Vector], exact: bool, system: &mut System) {
         for strain in &self.stretch {
             strain.add_to(x, self.softness, exact, system);

@@ -5,7 +5,9 @@ use super::vector::{Vector, cross, difference, length, scale};
 /// A regular grid of nodes, numbered row by row from the foot.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Mesh {
+    /// Nodes from the spine to the fore-edge.
     pub columns: usize,
+    /// Nodes from the foot to the head.
     pub rows: usize,
     /// Distance between columns, m.
     pub du: f64,
@@ -14,10 +16,12 @@ pub(super) struct Mesh {
 }
 
 impl Mesh {
+    /// Number of the node in a column and a row.
     pub fn node(&self, column: usize, row: usize) -> usize {
         row * self.columns + column
     }
 
+    /// How many nodes there are.
     pub fn nodes(&self) -> usize {
         self.columns * self.rows
     }

@@ -102,7 +102,7 @@ impl MeshShell {
         &self.x
     }
 
-    /// Moves every node.
+    /// Moves every node to a place, m.
     ///
     /// # Panics
     /// If there are not as many places as nodes.
@@ -110,7 +110,7 @@ impl MeshShell {
         self.x.copy_from_slice(positions);
     }
 
-    /// Holds a node at a place, or lets it go again.
+    /// Holds a node at a place, m, or lets it go again (None).
     ///
     /// # Panics
     /// If there is no such node.

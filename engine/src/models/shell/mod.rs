@@ -165,11 +165,6 @@ impl Shell {
         self.forces.gravity = gravity;
     }
 
-    /// Velocity of the air, m/s.
-    pub fn set_wind(&mut self, wind: [f64; 3]) {
-        self.settings.air.wind = wind;
-    }
-
     /// Holds the node in `column` and `row` at a place (metres), or lets it go
     /// again. A clamp's node stays the clamp's.
     ///

@@ -18,13 +18,19 @@ const CREEP: f64 = 1e-3;
 /// What a step minimises.
 #[derive(Debug)]
 pub(super) struct Stage<'a> {
+    /// What acts on the leaf.
     pub forces: &'a Forces,
+    /// Time over which a velocity is (x - from) / span, s.
     pub span: f64,
+    /// Where the nodes are when it begins, m.
     pub from: Vec<Vector>,
+    /// Where they would be when it ends if nothing but inertia acted, m.
     pub aim: Vec<Vector>,
+    /// The air around the leaf.
     pub air: Air,
-    /// Area of each node, m^2, and its unit normal.
+    /// Area of each node, m^2.
     pub areas: &'a [f64],
+    /// Unit normal of each node when the stage begins.
     pub normals: Vec<Vector>,
     /// Friction of each node at full slip, N.
     pub friction: Vec<f64>,

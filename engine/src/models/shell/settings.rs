@@ -178,6 +178,10 @@ impl ShellSettings {
     }
 
     /// Whether the settings make a leaf.
+    ///
+    /// # Errors
+    /// Where a setting is no number or out of bounds, or creases are not where the mesh can have
+    /// them, in a sentence.
     pub(super) fn check(&self) -> Result<(), InvalidShell> {
         let counts = [("columns", self.columns, 6), ("rows", self.rows, 2)];
         for (what, count, least) in counts {

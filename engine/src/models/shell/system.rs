@@ -15,10 +15,12 @@ pub(super) struct System {
     /// First of the three rows of each node: numbered along the shorter side,
     /// which makes the band narrow.
     first: Vec<usize>,
+    /// Whether each node is held.
     pub held: Vec<bool>,
 }
 
 impl System {
+    /// A system over all nodes of a grid, none of them held.
     pub fn new(mesh: &Mesh) -> Self {
         let short = mesh.columns.min(mesh.rows);
         let across = mesh.rows < mesh.columns;

@@ -112,6 +112,7 @@ pub(super) struct TriangleBending {
 }
 
 impl TriangleBending {
+    /// The bending of a grid of a plate's stiffness, held by clamps and creased along columns.
     pub fn new(mesh: &Mesh, rigidity: &Rigidity, clamps: &Clamps, creases: &[Crease]) -> Self {
         let mut bending = Self {
             mesh: *mesh,

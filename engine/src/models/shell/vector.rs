@@ -6,10 +6,12 @@ pub(super) type Vector = [f64; 3];
 /// A block of a matrix that couples two nodes, row by row.
 pub(super) type Block = [[f64; 3]; 3];
 
+/// The dot product.
 pub(super) fn dot(a: Vector, b: Vector) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
+/// The cross product.
 pub(super) fn cross(a: Vector, b: Vector) -> Vector {
     [
         a[1] * b[2] - a[2] * b[1],
@@ -18,6 +20,7 @@ pub(super) fn cross(a: Vector, b: Vector) -> Vector {
     ]
 }
 
+/// `a` less `b`.
 pub(super) fn difference(a: Vector, b: Vector) -> Vector {
     [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
 }
@@ -27,10 +30,12 @@ pub(super) fn advance(a: Vector, s: f64, b: Vector) -> Vector {
     [a[0] + s * b[0], a[1] + s * b[1], a[2] + s * b[2]]
 }
 
+/// `a`, `s` times as long.
 pub(super) fn scale(s: f64, a: Vector) -> Vector {
     [s * a[0], s * a[1], s * a[2]]
 }
 
+/// The length.
 pub(super) fn length(a: Vector) -> f64 {
     dot(a, a).sqrt()
 }

@@ -162,7 +162,7 @@ export class Overlay {
 type Place = readonly [u: number, v: number];
 
 /** Returns the ends of lines across a flat leaf, each at `angle` radians with the spine. */
-export function linesAt(angle: number): (readonly [Place, Place])[] {
+function linesAt(angle: number): (readonly [Place, Place])[] {
   const { width, height } = leafSize;
   const [c, s] = [Math.cos(angle), Math.sin(angle)];
   const far = width * c + height * s;

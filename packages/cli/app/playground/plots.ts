@@ -117,7 +117,7 @@ export class Plot {
 }
 
 /** Returns 1, 2 or 5 times a power of ten, at least the value. */
-export function roundUp(value: number): number {
+function roundUp(value: number): number {
   const power = 10 ** Math.floor(Math.log10(value));
   // A value slightly above a round number counts as that number.
   const times = [1, 2, 5].find((times) => times * power >= 0.999999 * value) ?? 10;

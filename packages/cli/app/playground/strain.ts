@@ -15,7 +15,7 @@ const stretched = [178, 40, 28] as const;
 const pressed = [32, 82, 160] as const;
 
 /** Returns the strain of each cell of a grid: that of its four edges with the largest magnitude. */
-export function strainOfCells({ columns, rows, positions, creased }: DrawnGrid): Float32Array {
+function strainOfCells({ columns, rows, positions, creased }: DrawnGrid): Float32Array {
   const [across, up] = [leafSize.width / (columns - 1), leafSize.height / (rows - 1)];
   // The points of a creased leaf are moved on the flat paper.
   const apart = ({ places }: PaperMesh, a: number, b: number): number =>

@@ -110,7 +110,7 @@ export function leafOptions(variant: Variant, settings: LeafFigures): LeafOption
 }
 
 /** How much stiffer the presets' paper is along its grain than across. */
-export const grainRatio = 2.25;
+const grainRatio = 2.25;
 
 /** Fewer columns than any choice: the model's own number. */
 export const ownNodes = 3;

@@ -67,7 +67,7 @@ ${page.body}
 }
 
 /** Returns the way from a page to the site's root, "" or "../../". */
-export function rootFrom(address: string): string {
+function rootFrom(address: string): string {
   return "../".repeat(address.split("/").length - 1);
 }
 

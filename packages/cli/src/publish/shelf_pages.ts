@@ -9,7 +9,7 @@ import type { BookRecord } from "./record.ts";
 import type { SiteAssets } from "./site_assets.ts";
 
 /** Books on one page of the shelf. */
-export const booksOnShelf = 48;
+const booksOnShelf = 48;
 
 /** A book of the site. */
 export interface ShelvedBook {

@@ -43,7 +43,7 @@ export type ActionName =
 
 /** Zoom factor of one press. */
 const zoomStep = 1.5;
-export const maxZoom = 8;
+const maxZoom = 8;
 
 /** Degrees by which the eye leans back that a reader chose to lean back. */
 const leaning = 12;

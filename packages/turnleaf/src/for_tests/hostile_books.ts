@@ -64,7 +64,7 @@ function bitmap(width: number, height: number): string {
 }
 
 /** Drawings that stand for more than can be drawn. */
-export const hostileDrawings: Readonly<Record<string, string>> = {
+const hostileDrawings: Readonly<Record<string, string>> = {
   "use within use": svg(
     `<defs><g id="g0">${rect}</g>${tenfold(9, (id) => `<use href="#${id}"/>`)}</defs><use href="#g9"/>`,
   ),

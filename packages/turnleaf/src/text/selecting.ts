@@ -10,16 +10,11 @@
 export function keepSelection(layer: HTMLElement, signal: AbortSignal): void {
   const guard = document.createElement("div");
   guard.className = "guard";
-  const end = (): void => {
-    guard.remove();
-    layer.classList.remove("selecting");
-  };
   layer.addEventListener(
     "pointerdown",
     (event) => {
       const piece = pieceOf(event);
       if (piece === null || event.button !== 0) return;
-      layer.classList.add("selecting");
       piece.after(guard);
       const down = new AbortController();
       const until = AbortSignal.any([signal, down.signal]);
@@ -28,7 +23,7 @@ export function keepSelection(layer: HTMLElement, signal: AbortSignal): void {
       for (const name of ["pointerup", "pointercancel", "blur"]) {
         globalThis.addEventListener(name, () => down.abort(), { signal: until });
       }
-      until.addEventListener("abort", end, { once: true });
+      until.addEventListener("abort", () => guard.remove(), { once: true });
     },
     { signal },
   );

@@ -11,7 +11,7 @@ import {
 import { penumbra } from "./light.ts";
 
 /** What shades one side of a sheet, at most. */
-export const mostPapers = 6;
+const mostPapers = 6;
 
 /** Vectors that describe one to the shader. */
 const vectors = paperNumbers / 4;

@@ -51,7 +51,7 @@ impl Cone {
         }
     }
 
-    /// The cone of a leaf of `size` that brings `place` of it to `at`: to its
+    /// The cone of a leaf of `size` metres that brings `place` of it to `at`: to its
     /// direction from the spine, to its distance from the spine, and, where
     /// `conical` is none, as near to its place along the spine as a cone can.
     /// Else `conical` is how conical the leaf is: 0 a cylinder, up to 1 with the

@@ -24,7 +24,7 @@ impl Cylinder {
         radius: 0.0,
     };
 
-    /// The roll of a leaf of `size` that brings `place` of it to `at`, whose line
+    /// The roll of a leaf of `size` metres that brings `place` of it to `at`, whose line
     /// leaves the spine alone. Where both cannot be, the height is given up.
     pub fn toward(size: [f64; 2], place: [f64; 2], at: [f64; 3]) -> Self {
         let height = at[2].max(0.0);

@@ -37,7 +37,7 @@ macro_rules! shapes {
         pub enum Pose { $($(#[$doc])* $Shape($Shape),)* }
 
         impl Pose {
-            /// The pose of a leaf of `size` that leads where it is to lead.
+            /// The pose of a leaf of `size` metres that leads where it is to lead.
             pub(super) fn toward(shape: Shape, size: [f64; 2], lead: &Lead) -> Self {
                 match shape { $(Shape::$Shape => {
                     let ($size, $lead) = (size, lead);

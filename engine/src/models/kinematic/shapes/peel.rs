@@ -27,7 +27,7 @@ impl Peel {
         hair: 0.0,
     };
 
-    /// The peel of a leaf of `size` that brings `place` of it to a point of the
+    /// The peel of a leaf of `size` metres that brings `place` of it to a point of the
     /// table, or as near as the spine lets it.
     pub fn toward(size: [f64; 2], place: [f64; 2], at: [f64; 2]) -> Self {
         let at = within(size, place, at);

@@ -145,7 +145,7 @@ function readNumbers(
 }
 
 /** Returns the number at a place, seven bits a byte of which the last is marked, and where it ends. */
-export function numberAt(bytes: Uint8Array, at: number): [number: number, end: number] {
+function numberAt(bytes: Uint8Array, at: number): [number: number, end: number] {
   let number = 0;
   let end = at;
   while (end < Math.min(at + 4, bytes.length)) {

@@ -53,7 +53,7 @@ export function coverSection(load: () => Promise<FlowContent>): FlowSection {
  * Returns a section whose only picture fills it as a page of the picture's proportions, as high as other
  * pages; the section as it is, with a page's size, if it is none or the picture has no size.
  */
-export async function coverContent(content: FlowContent): Promise<FlowContent> {
+async function coverContent(content: FlowContent): Promise<FlowContent> {
   const picture = lonePicture(content.root);
   const own = picture && (await pictureSize(picture));
   const { height } = paperback;
