@@ -161,8 +161,18 @@ describe("films", () => {
   });
   afterAll(() => folder.remove());
 
-  const size = { width: 160, height: 96 };
-  const small = ["--size", "160x96", "--fps", "8", "--seconds-per-turn", "0.5", "--pause", "0.25"];
+  // Of a film every frame has more pixels than its picture, and all of them are drawn in software.
+  const size = { width: 96, height: 64 };
+  const small = [
+    "--size",
+    `${size.width}x${size.height}`,
+    "--fps",
+    "8",
+    "--seconds-per-turn",
+    "0.5",
+    "--pause",
+    "0.25",
+  ];
 
   const film = (name: string, does: string): Promise<Ended> => {
     const out = join(folder.path, name);

@@ -1,5 +1,6 @@
 /** The built components for frameworks on a server, where there is no DOM, and that they have all that the element has. */
 
+import { readFileSync } from "node:fs";
 import { createElement } from "react";
 import { renderToString } from "react-dom/server";
 import { render } from "svelte/server";
@@ -8,7 +9,6 @@ import { TurnleafBook as VueBook } from "turnleaf/vue";
 import { expect, test } from "vitest";
 import { h } from "vue";
 import { renderToString as renderVue } from "vue/server-renderer";
-import { readReference } from "../../../scripts/reference/read.mjs";
 import { bookProps, booleanProps, eventOf } from "../../turnleaf/dist/svelte/book_props.js";
 import SvelteBook from "../../turnleaf/dist/svelte/TurnleafBook.svelte";
 
@@ -50,13 +50,25 @@ test.each([
   ]);
 });
 
+/** A field or a method of the element in its manifest. */
+interface Member {
+  readonly kind: string;
+  readonly name: string;
+  readonly type: { readonly text: string };
+  readonly readonly?: boolean;
+}
+
+/** The element as the build describes it: reading it of the sources again takes the compiler some seconds. */
+const [element] = JSON.parse(
+  readFileSync(new URL("../../turnleaf/dist/custom-elements.json", import.meta.url), "utf8"),
+).modules[0].declarations as [{ members: Member[]; events: { name: string }[] }];
+
 test("they have every property that can be set, and every event", () => {
-  const { attributes, properties, events } = readReference();
-  const settable = [...attributes, ...properties.filter(({ isWritten }) => isWritten)];
+  const settable = element.members.filter(({ kind, readonly }) => kind === "field" && !readonly);
   expect([...bookProps].sort()).toEqual(settable.map(({ name }) => name).sort());
-  const isBoolean = settable.filter(({ type }) => type === "boolean");
+  const isBoolean = settable.filter(({ type }) => type.text === "boolean");
   expect([...booleanProps].sort()).toEqual(isBoolean.map(({ name }) => name).sort());
-  expect(Object.values(eventOf).sort()).toEqual(events.map(({ name }) => name).sort());
+  expect(Object.values(eventOf).sort()).toEqual(element.events.map(({ name }) => name).sort());
   for (const [listener, event] of Object.entries(eventOf)) {
     expect(listener.toLowerCase()).toBe(`on${event}`);
   }

@@ -1,4 +1,5 @@
 import { afterEach, expect, test, vi } from "vitest";
+import { commands } from "vitest/browser";
 import { clock } from "../../for_tests/clock.ts";
 import { hugeImages } from "../../for_tests/huge_images.ts";
 import { limits } from "../limits.ts";
@@ -225,11 +226,12 @@ test.each([
 });
 
 test("millions of spaces between two words are passed over in few steps", async () => {
-  const start = performance.now();
+  // The page's own clock stands still while a book is read, and that on the wall is other work's too.
+  await commands.processUse();
   const spaces = " ".repeat(4_000_000);
   expect(await readAll({ chapters: [`<p>One${spaces}two.</p>`] })).toContain("One");
   // A step for each took 20 seconds, and the rest takes one.
-  expect(performance.now() - start).toBeLessThan(8000);
+  expect((await commands.processUse()).seconds).toBeLessThan(8);
 });
 
 test("a chapter of hundreds of pictures, each another, is read", async () => {
