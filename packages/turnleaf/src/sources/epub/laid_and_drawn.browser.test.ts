@@ -119,6 +119,29 @@ test("a table beside a float that ends before it leaves no page empty", async ()
 });
 
 test.each([
+  [
+    "a cell over many rows",
+    `<table><tr><td rowspan="60">side</td><td>one</td></tr>${"<tr><td>row</td></tr>".repeat(59)}</table>`,
+  ],
+  [
+    "an item beside many pages",
+    `<div style="display: flex"><p style="flex: 1; margin: 0">${"word ".repeat(500)}</p><p style="flex: 1; margin: 0; padding: 10px">side</p></div>`,
+  ],
+  [
+    "an item over many rows",
+    `<div style="display: grid; grid-template-columns: 1fr 1fr"><p style="grid-row: span 60; padding: 10px">side</p>${"<div>row</div>".repeat(60)}</div>`,
+  ],
+])("%s ends no page beside its own rows", async (_, rows) => {
+  const source = await laidOutEpub({ chapters: [`${rows}<p>end</p>`] });
+  const pages = await pagesOf(source);
+  expect(pages.length).toBeLessThan(5);
+  expect(pages.filter((text) => letters(text) === "")).toEqual([]);
+  // Its last words stand on the last page of the rows.
+  expect(letters(pages.at(-1) ?? "")).toMatch(/(?:row|word|one)end$/);
+  await expectDrawnAsLaid(source);
+});
+
+test.each([
   ["page-break-before: always", 2],
   ["break-before: page", 2],
   ["break-before: left", 2],
