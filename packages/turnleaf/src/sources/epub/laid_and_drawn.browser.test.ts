@@ -548,6 +548,18 @@ test.each([
     `<p style="white-space: nowrap; overflow-wrap: normal !important">${"x".repeat(300)}</p>`,
   ],
   ["a box apart from what is around it", `<div style="contain: strict">${long}</div>`],
+  [
+    "an indent of more than all of a line",
+    '<p style="text-indent: 120%">words after an indent</p>',
+  ],
+  [
+    "a hanging indent in a margin that is negative",
+    `<p style="margin-left: -30pt; text-indent: -36pt">${"word ".repeat(80)}</p>`,
+  ],
+  [
+    "an indent from the right into the page before",
+    `<p dir="rtl" style="margin-right: -30pt; text-indent: -36pt">${"word ".repeat(8)}</p>`,
+  ],
   ["what is laid out when it is seen", `<div style="content-visibility: auto">${long}</div>`],
   [
     "a heading over columns that are none",
@@ -574,6 +586,7 @@ test.each([
 ])("%s larger than the page loses nothing and lies on nothing", async (_, box) => {
   const css = `.first-type::first-letter { float: left; font-size: 1500px; line-height: 1 }
     .first-lines::first-letter { initial-letter: 100 }`;
+  ["a container", `<div style="container-type: size; height: 50px">${long}</div>`],
   const source = await laidOutEpub({ chapters: [`<p>before</p>${box}<p>after</p>`], css });
   const text = new DOMParser().parseFromString(`<p>before</p>${box}<p>after</p>`, "text/html").body;
   const drawn = letters((await pagesOf(source)).join(""));
@@ -593,6 +606,14 @@ test.each([
   ["after another", `${wideTable(9, 6)}${wideTable(9, 6)}`, [true, true]],
   ["that scaled down would fit", `<p>before</p>${wideTable(5, 3)}<p>after</p>`, [false]],
 ])(
+  [
+    "a table of fixed columns",
+    `<table style="width: 2000px; table-layout: fixed"><tr>${Array.from({ length: 20 }, (_, k) => `<td>column${k}</td>`).join("")}</tr></table>`,
+  ],
+  [
+    "a table in a box that is turned",
+    `<div style="transform: rotate(90deg)"><table><tr>${Array.from({ length: 12 }, (_, k) => `<td>column${k}</td>`).join("")}</tr></table></div>`,
+  ],
   "a table that is too wide even at its smallest is turned onto a page of its own: %s",
   async (_, body, turned) => {
     const source = await laidOutEpub({ chapters: [body], css: "td, th { padding: 0 3px }" });
