@@ -142,6 +142,31 @@ test.each([
 });
 
 test.each([
+test("rules of scopes, containers, properties and animations hold, as laid out so as drawn", async () => {
+  const css = `@property --wide { syntax: "<length>"; inherits: false; initial-value: 200px }
+    @keyframes come { from { opacity: 0 } to { opacity: 1 } }
+    @keyframes slide { from { margin-left: 0 } to { margin-left: 200px } }
+    @scope (.outer) to (.inner) { p { margin-left: 200px } }
+    @container box (min-width: 100px) { .boxed { margin-left: 200px } }
+    @container (min-width: 9000px) { p { display: none } }
+    .box { container: box / inline-size }
+    .typed { margin-left: var(--wide) }
+    .coming { opacity: 0; animation: come 1s 1s forwards }
+    .sliding { animation: slide 3s infinite both }
+    .coming::before { content: "and"; opacity: 0; animation: come 1s both }`;
+  const source = await laidOutEpub({
+    chapters: [
+      `<div class="outer"><p>scoped</p><div class="inner"><p>beyond</p></div></div><div class="box"><p class="boxed">boxed</p></div><p class="typed">typed</p><p class="coming">coming</p><p class="sliding">sliding</p>`,
+    ],
+    css,
+  });
+  const runs = (await source.text?.(0, never)) ?? [];
+  const moved = runs.filter(({ x }) => x > 240).map(({ text }) => text.trim());
+  expect(moved).toEqual(["scoped", "boxed", "typed", "sliding"]);
+  expect(letters(runs.map(({ text }) => text).join(""))).toContain("coming");
+  await expectDrawnAsLaid(source, (_page, x) => x < 90);
+});
+
   ["page-break-before: always", 2],
   ["break-before: page", 2],
   ["break-before: left", 2],
