@@ -76,8 +76,9 @@ test("rules by namespace hold in every sheet of a chapter, as laid out so as dra
     .slice(0, 2)
     .map((name) => `<link rel="stylesheet" href="${name}" media="all"/>`)
     .join("");
+  const off = '<link rel="stylesheet" disabled="" href="four.css"/>';
   const body = `<p epub:type="a">moved</p><p epub:type="b">large</p><p epub:type="c">capital</p>${prose(12, 40)}`;
-  const source = await laidOutEpub({ chapters: [document(head, body)], files });
+  const source = await laidOutEpub({ chapters: [document(head + off, body)], files });
   const runs = (await source.text?.(0, never)) ?? [];
   const [moved, large, capital] = runs;
   expect(moved?.x).toBeGreaterThan(220);
@@ -141,7 +142,6 @@ test.each([
   await expectDrawnAsLaid(source);
 });
 
-test.each([
 test("rules of scopes, containers, properties and animations hold, as laid out so as drawn", async () => {
   const css = `@property --wide { syntax: "<length>"; inherits: false; initial-value: 200px }
     @keyframes come { from { opacity: 0 } to { opacity: 1 } }
@@ -167,6 +167,7 @@ test("rules of scopes, containers, properties and animations hold, as laid out s
   await expectDrawnAsLaid(source, (_page, x) => x < 90);
 });
 
+test.each([
   ["page-break-before: always", 2],
   ["break-before: page", 2],
   ["break-before: left", 2],
@@ -547,6 +548,18 @@ test.each([
   ["a box that is moved", '<p style="transform: translate(300px)">moved</p>'],
   ["a margin out of the page", `<p style="margin-left: -300px">${"word ".repeat(80)}</p>`],
   ["a margin wider than a line", '<p style="margin: 0 400px">words between margins</p>'],
+  [
+    "an indent of more than all of a line",
+    '<p style="text-indent: 120%">words after an indent</p>',
+  ],
+  [
+    "a hanging indent in a margin that is negative",
+    `<p style="margin-left: -30pt; text-indent: -36pt">${"word ".repeat(80)}</p>`,
+  ],
+  [
+    "an indent from the right into the page before",
+    `<p dir="rtl" style="margin-right: -30pt; text-indent: -36pt">${"word ".repeat(8)}</p>`,
+  ],
   ["an indent wider than a line", '<p style="text-indent: 900px">words after an indent</p>'],
   ["room at the left wider than a line", '<p style="padding-left: 600px">words beside room</p>'],
   [
@@ -573,18 +586,7 @@ test.each([
     `<p style="white-space: nowrap; overflow-wrap: normal !important">${"x".repeat(300)}</p>`,
   ],
   ["a box apart from what is around it", `<div style="contain: strict">${long}</div>`],
-  [
-    "an indent of more than all of a line",
-    '<p style="text-indent: 120%">words after an indent</p>',
-  ],
-  [
-    "a hanging indent in a margin that is negative",
-    `<p style="margin-left: -30pt; text-indent: -36pt">${"word ".repeat(80)}</p>`,
-  ],
-  [
-    "an indent from the right into the page before",
-    `<p dir="rtl" style="margin-right: -30pt; text-indent: -36pt">${"word ".repeat(8)}</p>`,
-  ],
+  ["a container", `<div style="container-type: size; height: 50px">${long}</div>`],
   ["what is laid out when it is seen", `<div style="content-visibility: auto">${long}</div>`],
   [
     "a heading over columns that are none",
@@ -605,13 +607,20 @@ test.each([
     }).join(""),
   ],
   [
+    "a table of fixed columns",
+    `<table style="width: 2000px; table-layout: fixed"><tr>${Array.from({ length: 20 }, (_, k) => `<td>column${k}</td>`).join("")}</tr></table>`,
+  ],
+  [
+    "a table in a box that is turned",
+    `<div style="transform: rotate(90deg)"><table><tr>${Array.from({ length: 12 }, (_, k) => `<td>column${k}</td>`).join("")}</tr></table></div>`,
+  ],
+  [
     "a table of thirty columns",
     `<table><tr>${Array.from({ length: 30 }, (_, k) => `<td>column${k}</td>`).join("")}</tr></table>`,
   ],
 ])("%s larger than the page loses nothing and lies on nothing", async (_, box) => {
   const css = `.first-type::first-letter { float: left; font-size: 1500px; line-height: 1 }
     .first-lines::first-letter { initial-letter: 100 }`;
-  ["a container", `<div style="container-type: size; height: 50px">${long}</div>`],
   const source = await laidOutEpub({ chapters: [`<p>before</p>${box}<p>after</p>`], css });
   const text = new DOMParser().parseFromString(`<p>before</p>${box}<p>after</p>`, "text/html").body;
   const drawn = letters((await pagesOf(source)).join(""));
@@ -631,14 +640,6 @@ test.each([
   ["after another", `${wideTable(9, 6)}${wideTable(9, 6)}`, [true, true]],
   ["that scaled down would fit", `<p>before</p>${wideTable(5, 3)}<p>after</p>`, [false]],
 ])(
-  [
-    "a table of fixed columns",
-    `<table style="width: 2000px; table-layout: fixed"><tr>${Array.from({ length: 20 }, (_, k) => `<td>column${k}</td>`).join("")}</tr></table>`,
-  ],
-  [
-    "a table in a box that is turned",
-    `<div style="transform: rotate(90deg)"><table><tr>${Array.from({ length: 12 }, (_, k) => `<td>column${k}</td>`).join("")}</tr></table></div>`,
-  ],
   "a table that is too wide even at its smallest is turned onto a page of its own: %s",
   async (_, body, turned) => {
     const source = await laidOutEpub({ chapters: [body], css: "td, th { padding: 0 3px }" });
