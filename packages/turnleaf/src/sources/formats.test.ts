@@ -88,6 +88,25 @@ test("a ZIP behind other bytes, of any number, is one by its name", () => {
   expect(of("\0".repeat(1024), "a.cbz")).toBe("zeros");
 });
 
+test("takes text of other encodings where the name says that it is text", () => {
+  const of = (bytes: number[], name: string, type = "") =>
+    formatOfFile({ start: Uint8Array.from(bytes), type, name })?.kind;
+  const inGbk = [0xb5, 0xda, 0xd2, 0xbb, 0xd5, 0xc2, 0x0a];
+  const inUtf16 = [..."Chapter"].flatMap((letter) => [letter.charCodeAt(0), 0]);
+  for (const bytes of [inGbk, inUtf16]) {
+    for (const name of ["novel.txt", "novel.MD"]) expect(of(bytes, name)).toBe("text");
+    expect(of(bytes, "novel.txt", "application/octet-stream")).toBe("text");
+    for (const name of ["novel", "novel.bin", "txt"]) expect(of(bytes, name)).toBeUndefined();
+  }
+  // What bytes say counts first.
+  expect(
+    of(
+      [..."%PDF-1.4"].map((letter) => letter.charCodeAt(0)),
+      "a.txt",
+    ),
+  ).toBe("pdf");
+});
+
 test("every ending and every mark is of one format", () => {
   const endings = formats.flatMap((format) => [
     ...(format.endings ?? []),

@@ -434,28 +434,30 @@ const strangeControls = /[\x00-\x06\x10-\x19\x1c-\x1f\x7f]/g;
 /** What text in UTF-16 or UTF-32 without its mark begins with. */
 const wideLetters = /^(?:[\t-~]\0{1,3}){2}|^(?:\0{1,3}[\t-~]){2}/;
 
-/** Bytes of text, at least, for each of these, unless the media type says text: code has one in fewer. */
+/** Bytes of text, at least, for each of these, unless a file says that it is text: code has one in fewer. */
 const leastText = 10;
 
 /**
  * Returns whether bytes are text: UTF-8, UTF-16 or UTF-32 by its mark, or, where the
- * media type says text, in any encoding. Old programs wrote control characters into text, such as the
+ * media type or the name says text, in any encoding. Old programs wrote control characters into text, such as the
  * end of a DOS file or what terminals print bold; a byte of 0 none did, and others are rare in it.
  */
-function isText({ start, type, text }: FirstBytes): boolean {
+function isText({ start, type, text, name = "" }: FirstBytes): boolean {
   if (start.length === 0) return false;
+  // Many servers, and systems that do not know an ending, give files no type, or a general one.
+  const isSaid = type.startsWith("text/") || formatOfName(name)?.family === "text";
   if (/^(\xff\xfe|\xfe\xff|\0\0\xfe\xff)/.test(text)) return true;
   // Letters of ASCII of two or four bytes each.
-  if (start.includes(0)) return type.startsWith("text/") && wideLetters.test(text);
+  if (start.includes(0)) return isSaid && wideLetters.test(text);
   const strange = text.match(strangeControls)?.length ?? 0;
-  if (strange * leastText > start.length && !type.startsWith("text/")) return false;
+  if (strange * leastText > start.length && !isSaid) return false;
   try {
     // The last character may be cut off.
     const stream = start.length >= sniffLength;
     new TextDecoder("utf-8", { fatal: true }).decode(start, { stream });
     return true;
   } catch {
-    return type.startsWith("text/");
+    return isSaid;
   }
 }
 

@@ -76,8 +76,9 @@ test("rules by namespace hold in every sheet of a chapter, as laid out so as dra
     .slice(0, 2)
     .map((name) => `<link rel="stylesheet" href="${name}" media="all"/>`)
     .join("");
+  const off = '<link rel="stylesheet" disabled="" href="four.css"/>';
   const body = `<p epub:type="a">moved</p><p epub:type="b">large</p><p epub:type="c">capital</p>${prose(12, 40)}`;
-  const source = await laidOutEpub({ chapters: [document(head, body)], files });
+  const source = await laidOutEpub({ chapters: [document(head + off, body)], files });
   const runs = (await source.text?.(0, never)) ?? [];
   const [moved, large, capital] = runs;
   expect(moved?.x).toBeGreaterThan(220);
@@ -116,6 +117,54 @@ test("a table beside a float that ends before it leaves no page empty", async ()
   const pages = await pagesOf(source);
   expect(pages.filter((text) => letters(text) === "")).toEqual([]);
   expect(pages.at(-1)).toContain("end");
+});
+
+test.each([
+  [
+    "a cell over many rows",
+    `<table><tr><td rowspan="60">side</td><td>one</td></tr>${"<tr><td>row</td></tr>".repeat(59)}</table>`,
+  ],
+  [
+    "an item beside many pages",
+    `<div style="display: flex"><p style="flex: 1; margin: 0">${"word ".repeat(500)}</p><p style="flex: 1; margin: 0; padding: 10px">side</p></div>`,
+  ],
+  [
+    "an item over many rows",
+    `<div style="display: grid; grid-template-columns: 1fr 1fr"><p style="grid-row: span 60; padding: 10px">side</p>${"<div>row</div>".repeat(60)}</div>`,
+  ],
+])("%s ends no page beside its own rows", async (_, rows) => {
+  const source = await laidOutEpub({ chapters: [`${rows}<p>end</p>`] });
+  const pages = await pagesOf(source);
+  expect(pages.length).toBeLessThan(5);
+  expect(pages.filter((text) => letters(text) === "")).toEqual([]);
+  // Its last words stand on the last page of the rows.
+  expect(letters(pages.at(-1) ?? "")).toMatch(/(?:row|word|one)end$/);
+  await expectDrawnAsLaid(source);
+});
+
+test("rules of scopes, containers, properties and animations hold, as laid out so as drawn", async () => {
+  const css = `@property --wide { syntax: "<length>"; inherits: false; initial-value: 200px }
+    @keyframes come { from { opacity: 0 } to { opacity: 1 } }
+    @keyframes slide { from { margin-left: 0 } to { margin-left: 200px } }
+    @scope (.outer) to (.inner) { p { margin-left: 200px } }
+    @container box (min-width: 100px) { .boxed { margin-left: 200px } }
+    @container (min-width: 9000px) { p { display: none } }
+    .box { container: box / inline-size }
+    .typed { margin-left: var(--wide) }
+    .coming { opacity: 0; animation: come 1s 1s forwards }
+    .sliding { animation: slide 3s infinite both }
+    .coming::before { content: "and"; opacity: 0; animation: come 1s both }`;
+  const source = await laidOutEpub({
+    chapters: [
+      `<div class="outer"><p>scoped</p><div class="inner"><p>beyond</p></div></div><div class="box"><p class="boxed">boxed</p></div><p class="typed">typed</p><p class="coming">coming</p><p class="sliding">sliding</p>`,
+    ],
+    css,
+  });
+  const runs = (await source.text?.(0, never)) ?? [];
+  const moved = runs.filter(({ x }) => x > 240).map(({ text }) => text.trim());
+  expect(moved).toEqual(["scoped", "boxed", "typed", "sliding"]);
+  expect(letters(runs.map(({ text }) => text).join(""))).toContain("coming");
+  await expectDrawnAsLaid(source, (_page, x) => x < 90);
 });
 
 test.each([
@@ -499,6 +548,18 @@ test.each([
   ["a box that is moved", '<p style="transform: translate(300px)">moved</p>'],
   ["a margin out of the page", `<p style="margin-left: -300px">${"word ".repeat(80)}</p>`],
   ["a margin wider than a line", '<p style="margin: 0 400px">words between margins</p>'],
+  [
+    "an indent of more than all of a line",
+    '<p style="text-indent: 120%">words after an indent</p>',
+  ],
+  [
+    "a hanging indent in a margin that is negative",
+    `<p style="margin-left: -30pt; text-indent: -36pt">${"word ".repeat(80)}</p>`,
+  ],
+  [
+    "an indent from the right into the page before",
+    `<p dir="rtl" style="margin-right: -30pt; text-indent: -36pt">${"word ".repeat(8)}</p>`,
+  ],
   ["an indent wider than a line", '<p style="text-indent: 900px">words after an indent</p>'],
   ["room at the left wider than a line", '<p style="padding-left: 600px">words beside room</p>'],
   [
@@ -525,6 +586,7 @@ test.each([
     `<p style="white-space: nowrap; overflow-wrap: normal !important">${"x".repeat(300)}</p>`,
   ],
   ["a box apart from what is around it", `<div style="contain: strict">${long}</div>`],
+  ["a container", `<div style="container-type: size; height: 50px">${long}</div>`],
   ["what is laid out when it is seen", `<div style="content-visibility: auto">${long}</div>`],
   [
     "a heading over columns that are none",
@@ -543,6 +605,14 @@ test.each([
       );
       return `<div style="position: relative; width: 600px; height: 800px">${words.join("")}</div>`;
     }).join(""),
+  ],
+  [
+    "a table of fixed columns",
+    `<table style="width: 2000px; table-layout: fixed"><tr>${Array.from({ length: 20 }, (_, k) => `<td>column${k}</td>`).join("")}</tr></table>`,
+  ],
+  [
+    "a table in a box that is turned",
+    `<div style="transform: rotate(90deg)"><table><tr>${Array.from({ length: 12 }, (_, k) => `<td>column${k}</td>`).join("")}</tr></table></div>`,
   ],
   [
     "a table of thirty columns",

@@ -40,6 +40,22 @@ test("a package with blanks before it, or an encoding that it is not in", async 
   expect(await wordsOf(await laidOut(await fixture("e29-decl16.epub")), 0)).toBe("decl");
 });
 
+test("a chapter in another language than HTML has its words", async () => {
+  const file =
+    '<dtbook xmlns="http://www.daisy.org/z3986/2005/dtbook/"><book><bodymatter><level1><h1>Title</h1><p>Some <em>words</em></p><list type="ul"><li>item</li></list></level1></bodymatter></book></dtbook>';
+  const source = await laidOut(
+    tinyEpub({
+      chapters: ["<p>before</p>"],
+      raw: { "OEBPS/d.xml": file },
+      items: '<item id="d" href="d.xml" media-type="application/x-dtbook+xml"/>',
+      itemrefs: '<itemref idref="d"/>',
+    }),
+  );
+  expect(await wordsOf(source, 1)).toBe("Title Some words item");
+  const [title, words] = (await source.text?.(1, never)) ?? [];
+  expect(title?.height).toBeGreaterThan((words?.height ?? 0) * 1.5);
+});
+
 const xhtml = (body: string): string =>
   `<html xmlns="http://www.w3.org/1999/xhtml"><head><title>t</title></head><body>${body}</body></html>`;
 

@@ -27,7 +27,10 @@ const drawnNames: Readonly<Record<string, string>> = {
 };
 const unlikeInDrawing = /:(?:root|link|any-link|visited)\b/g;
 
-/** The name of a layer; one of other characters could end its rule. */
+/** Characters of a condition that could end its rule, or a string in it. */
+const endsRule = /["'{};\\]/;
+
+/** The name of a layer, or of an animation; one of other characters could end its rule. */
 const layerName = /^[\w.-]*$/;
 
 /** The name of a property; a custom one of other characters could end its declaration. */
@@ -88,8 +91,8 @@ export async function cleanCss(
 export function inMedia(sheets: readonly CleanSheet[], media: string): readonly CleanSheet[] {
   const { mediaText } = new CSSStyleSheet({ media }).media;
   if (mediaText === "") return sheets;
-  // What a browser keeps though it does not know it could end the rule, or a string in it.
-  const known = /["'{};\\]/.test(mediaText) ? "not all" : mediaText;
+  // A browser keeps conditions that it does not know.
+  const known = endsRule.test(mediaText) ? "not all" : mediaText;
   return sheets.map((sheet) => ({ ...sheet, rules: `@media ${known} { ${sheet.rules} }` }));
 }
 
@@ -181,7 +184,7 @@ async function cleanRules(rules: CSSRuleList, files: Resolvers): Promise<string>
 
 async function cleanRule(rule: CSSRule, files: Resolvers): Promise<string> {
   if (rule instanceof CSSStyleRule) {
-    const selector = rule.selectorText.replace(unlikeInDrawing, (name) => drawnNames[name] ?? name);
+    const selector = drawnSelector(rule.selectorText);
     const nested = await cleanRules(rule.cssRules ?? [], files);
     return `${selector} { ${await cleanDeclarations(rule.style, files.picture)} ${nested} }`;
   }
@@ -205,7 +208,58 @@ async function cleanRule(rule: CSSRule, files: Resolvers): Promise<string> {
     return rule.nameList.every((name) => layerName.test(name)) ? rule.cssText : "";
   }
   if (rule instanceof CSSCounterStyleRule) return loading.test(rule.cssText) ? "" : rule.cssText;
+  if (rule instanceof CSSKeyframesRule) return await cleanKeyframes(rule, files);
+  return await cleanNewerRule(rule, files);
+}
+
+/** Returns the frames of an animation, of which a page shows the end. */
+async function cleanKeyframes(
+  { name, cssRules }: CSSKeyframesRule,
+  files: Resolvers,
+): Promise<string> {
+  if (!layerName.test(name)) return "";
+  const frames = [...cssRules].map(async (frame) =>
+    frame instanceof CSSKeyframeRule
+      ? `${frame.keyText} { ${await cleanDeclarations(frame.style, files.picture)} }`
+      : "",
+  );
+  return `@keyframes ${name} { ${(await Promise.all(frames)).join(" ")} }`;
+}
+
+/** Returns a rule of a kind that older browsers do not know, nor its name; "" for all others. */
+async function cleanNewerRule(rule: CSSRule, files: Resolvers): Promise<string> {
+  const { cssRules, containerName, containerQuery, start, end } = rule as Partial<NewerRule>;
+  switch (rule.constructor.name) {
+    case "CSSContainerRule": {
+      const query = `${containerName ?? ""} ${containerQuery ?? ""}`;
+      if (!cssRules || endsRule.test(query)) return "";
+      return `@container ${query} { ${await cleanRules(cssRules, files)} }`;
+    }
+    case "CSSScopeRule": {
+      if (!cssRules) return "";
+      const [from, to] = [start, end].map((selector) => selector && drawnSelector(selector));
+      // Without a root of its own it is of what its style sheet is in.
+      const limit = to ? ` to (${to})` : "";
+      return `@scope (${from || "html"})${limit} { ${await cleanRules(cssRules, files)} }`;
+    }
+    case "CSSPropertyRule":
+      return loading.test(rule.cssText) || rule.cssText.includes("\\") ? "" : rule.cssText;
+  }
   return "";
+}
+
+/** What rules have that older browsers do not know. */
+interface NewerRule {
+  readonly cssRules: CSSRuleList;
+  readonly containerName: string;
+  readonly containerQuery: string;
+  readonly start: string | null;
+  readonly end: string | null;
+}
+
+/** Returns a selector that is true of the same elements where a section is drawn as where it is laid out. */
+function drawnSelector(selector: string): string {
+  return selector.replace(unlikeInDrawing, (name) => drawnNames[name] ?? name);
 }
 
 /** Returns whether a rule is declarations alone; older browsers have no such rules. */

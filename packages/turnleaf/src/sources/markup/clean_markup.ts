@@ -223,7 +223,7 @@ async function stylesOf(document: Document, files: MarkupFiles): Promise<readonl
     );
     const relations = element.getAttribute("rel")?.toLowerCase().split(/\s+/) ?? [];
     const isOther = !relations.includes("stylesheet") || relations.includes("alternate");
-    if (element.localName === "link" && isOther) continue;
+    if (element.localName === "link" && (isOther || element.hasAttribute("disabled"))) continue;
     // Of sheets that have titles, those of the first are the document's; others are for readers to choose.
     preferred ||= title;
     if (!/^$|css/i.test(type) || (title !== "" && title !== preferred)) continue;

@@ -36,6 +36,8 @@ const offPage: Readonly<Record<string, readonly [value: RegExp, paged: string]>>
   // A box that is laid out apart from what is around it does not break; of what is out of sight, nothing is laid out.
   contain: [/./, "none"],
   "content-visibility": [/^auto$/, "visible"],
+  // Nor may a box be as high as nothing, whatever is in it.
+  "container-type": [/^size$/, "inline-size"],
   "column-span": [/^all$/, `var(${columnSpan}, none)`],
 };
 
@@ -53,7 +55,8 @@ const pagedProperties = [
 ];
 
 /** Names of these, and of what stands for several of them. */
-const ofPages = /^(?:page-|-webkit-column-)?break-|^col|^position$|^contain$|^content-visibility$/;
+const ofPages =
+  /^(?:page-|-webkit-column-)?break-|^col|^position$|^contain$|^container|^content-visibility$/;
 
 /**
  * Stands beside a declaration of such a property whose value is a variable's, or depends on one: what it is

@@ -4,8 +4,6 @@ import { loadPart } from "../load_part.ts";
 import { withBoundedTags } from "./bounded_tags.ts";
 import { errorIn, type MarkupType, parseBounded, parseMarkup } from "./parse_markup.ts";
 
-const xhtml = "http://www.w3.org/1999/xhtml";
-
 /** Control characters that no text has, by themselves or by number: letters of Windows' encoding that were taken for Unicode. */
 const windowsLetters = /[\u0080-\u009f]|&#(1(?:2[89]|[345]\d)|x[89][\da-f]);/gi;
 
@@ -18,9 +16,18 @@ export interface ReadMarkup {
   readonly damagedLine?: number | null;
 }
 
-/** Returns whether a root is no element of HTML, though it should be: by its namespace, if it has one. */
+/** Languages in which a chapter may be written. */
+const languages = ["1999/xhtml", "2000/svg", "1998/Math/MathML"].map(
+  (one) => `http://www.w3.org/${one}`,
+);
+
+/**
+ * Returns whether a root is of no language that is shown, by its namespace, if it has one. Elements of others,
+ * as of DTBook, mostly have the names of HTML's.
+ */
 function isForeign({ localName, namespaceURI }: Element): boolean {
-  return namespaceURI === null || (localName === "html" && namespaceURI !== xhtml);
+  const [xhtml] = languages;
+  return localName === "html" ? namespaceURI !== xhtml : !languages.includes(namespaceURI ?? "");
 }
 
 /**

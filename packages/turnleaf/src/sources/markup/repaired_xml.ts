@@ -179,7 +179,8 @@ class XmlWriter {
   }
 
   onopentag(name: string, attributes: Readonly<Record<string, string>>): void {
-    if (this.#isHtml && !this.#hasRoot && !documentElement.test(name)) {
+    const isWrapping = this.#isHtml && !this.#hasRoot && !documentElement.test(name);
+    if (isWrapping) {
       this.#written.push(`<html xmlns="${xhtml}">`, "<body>");
       this.isWrapped = this.#hasRoot = true;
     }
@@ -199,7 +200,9 @@ class XmlWriter {
       if (declares && isRoot) this.#declared.add(declares);
       return this.#use(attribute);
     });
-    const namespace = this.#isHtml ? elementNamespaces[name] : undefined;
+    // A root of another language declares that, and what is in it is read as HTML.
+    const usual = isWrapping ? xhtml : undefined;
+    const namespace = this.#isHtml ? (elementNamespaces[name] ?? usual) : undefined;
     const tag = Object.entries({
       ...Object.fromEntries(own),
       ...(namespace && { xmlns: namespace }),

@@ -239,6 +239,8 @@ function fittedTable(table: HTMLElement, area: TypeArea): Styles {
   };
   for (const name of ["inline-size", "min-inline-size"]) setAll(name, "auto");
   setAll("white-space", "normal");
+  // By a fixed layout its columns would be as narrow as nothing, whatever is in them.
+  table.style.setProperty("table-layout", "auto", "important");
   table.style.setProperty("inline-size", "min-content", "important");
   const least = widthOf([...table.getClientRects()], isVertical);
   const size = Math.max(Math.min(line / least, 1), smallestTable);

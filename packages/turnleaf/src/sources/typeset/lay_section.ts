@@ -177,7 +177,7 @@ export async function laySection(
     if (!isSliced) honourBreaks(body, writingMode, mentions);
     fit();
     fitFormulas(body, isVertical);
-    if (placeBoxes(frame, body, flow, { ...page, ...ends }, mentions)) fit();
+    if (placeBoxes(frame, body, flow, { ...page, ...ends }, mentions, fitted)) fit();
     if (!isSliced) trimHeights(body, flow, area);
     if (isMixed) fixCrossed(body);
   }

@@ -24,6 +24,7 @@ type Placed = HTMLElement | SVGElement;
  * @param body the section's body, laid out
  * @param size of a page, CSS pixels; of no end in height if pages hang together
  * @param mentions of the section's own style
+ * @param fitted boxes that were made to fit: those within one that was moved, as by a turn, are not any more
  * @returns whether anything was put back
  */
 export function placeBoxes(
@@ -32,6 +33,7 @@ export function placeBoxes(
   flow: PageFlow,
   size: PageSize,
   mentions: StyleMentions,
+  fitted: WeakSet<Element>,
 ): boolean {
   const view = body.ownerDocument.defaultView as Window & typeof globalThis;
   const isWhole = (element: Element): boolean => drawingOf(element, body) === element;
@@ -52,7 +54,9 @@ export function placeBoxes(
       const rect = element.getBoundingClientRect();
       const still = Object.fromEntries(moving.map((name) => [name, "none"]));
       const change = putBack(rect, pageBox(flow, page, size), still);
-      if (change) changes.push([element, change]);
+      if (!change) return;
+      changes.push([element, change]);
+      for (const one of [element, ...element.querySelectorAll("*")]) fitted.delete(one);
     });
     for (const element of elements) {
       if (known.has(element) || moved.has(element)) continue;
@@ -96,29 +100,63 @@ function changeOf(
   const squeezed = isAway ? null : squeezedChange(element, style);
   if (squeezed) return squeezed;
   // It is that of a box, not of a part of its lines.
-  const indent = style.display === "inline" ? 0 : px("text-indent");
-  if (!isAway && shift.x === 0 && shift.y === 0 && indent === 0) return null;
+  const hasIndent = style.display !== "inline" && !/^0(?:px|%)$/.test(style.textIndent);
+  if (!isAway && shift.x === 0 && shift.y === 0 && !hasIndent) return null;
   const rects = [...element.getClientRects()];
   const [first] = rects;
   if (!first) return null;
   if (isAway) return awayChange(element as HTMLElement, rects, flow, size);
-  if (shift.x !== 0 || shift.y !== 0) {
-    const { x, y, width, height } = first;
-    const own = pageOfRect(flow, new DOMRect(x - shift.x, y - shift.y, width, height));
-    const page = pageBox(flow, own, size);
-    if (position === "relative") return putBack(first, page, { inset: "auto" });
-    // What is wider than its page is made narrower, and what is higher breaks.
-    const least = element.matches(replaced) ? width : Math.min(width, page.right - x);
-    const start = new DOMRect(x, y, least, 0);
-    const back = { ...(shift.x && { "margin-left": "0" }), ...(shift.y && { "margin-top": "0" }) };
-    if (start.top < page.top - tolerance) return back;
-    return start.width < 0 ? null : putBack(start, page, back);
+  const { x, y, width, height } = first;
+  const own = pageOfRect(flow, new DOMRect(x - shift.x, y - shift.y, width, height));
+  const page = pageBox(flow, own, size);
+  const back = shiftChange(element, first, shift, page);
+  const isBack = back !== null && "margin-left" in back;
+  const box = isBack ? new DOMRect(x - shift.x, y, width + shift.x, height) : first;
+  const indented = hasIndent ? indentChange(style, box, page) : null;
+  return back || indented ? { ...back, ...indented } : null;
+}
+
+/** How far a box is put from where it would be, CSS pixels. */
+interface Shift {
+  readonly x: number;
+  readonly y: number;
+}
+
+/** Returns what `changeOf` does, of a box that is relative to where it would be, or that has margins. */
+function shiftChange(element: Placed, box: DOMRect, shift: Shift, page: DOMRect): Styles | null {
+  if (shift.x === 0 && shift.y === 0) return null;
+  const view = element.ownerDocument.defaultView as Window;
+  if (view.getComputedStyle(element).position === "relative") {
+    return putBack(box, page, { inset: "auto" });
   }
-  const page = pageBox(flow, pageOfRect(flow, first), size);
+  // What is wider than its page is made narrower, and what is higher breaks.
+  const least = element.matches(replaced) ? box.width : Math.min(box.width, page.right - box.x);
+  const start = new DOMRect(box.x, box.y, least, 0);
+  const back = { ...(shift.x && { "margin-left": "0" }), ...(shift.y && { "margin-top": "0" }) };
+  if (start.top < page.top - tolerance) return back;
+  return start.width < 0 ? null : putBack(start, page, back);
+}
+
+/** Returns the styles by which the first line of a box begins on its page; null if it does. */
+function indentChange(style: CSSStyleDeclaration, box: DOMRect, page: DOMRect): Styles | null {
+  const isVertical = !style.writingMode.startsWith("horizontal");
+  const isReversed = (style.direction === "rtl") !== (style.writingMode === "sideways-lr");
+  const [starts, ends, length] = isVertical
+    ? [box.top - page.top, page.bottom - box.bottom, box.height]
+    : [box.left - page.left, page.right - box.right, box.width];
+  const before = isReversed ? ends : starts;
+  const indent = indentOf(style.textIndent, length);
   // Text is hidden so where a picture stands for it.
-  if (first.right + indent < page.left) return { "text-indent": "0", "font-size": "0" };
-  const isOut = first.left + indent < page.left || indent > first.width;
-  return isOut ? { "text-indent": "0" } : null;
+  if (before + length + indent < 0) return { "text-indent": "0", "font-size": "0" };
+  return before + indent < 0 || indent >= length ? { "text-indent": "0" } : null;
+}
+
+/** Returns an indent in CSS pixels; a browser leaves percentages, of lines of some length, as they are. */
+function indentOf(value: string, length: number): number {
+  const percent = /(-?[\d.]+)%/.exec(value);
+  const pixels = /(- ?)?([\d.]+)px/.exec(value);
+  const apart = pixels ? Number(pixels[2]) * (pixels[1] ? -1 : 1) : 0;
+  return (percent ? (Number(percent[1]) * length) / 100 : 0) + apart;
 }
 
 /** Returns the styles by which a box whose indents leave no room for two letters has none; null for others. */

@@ -31,7 +31,8 @@ export function trimHeights(body: Element, flow: PageFlow, area: PageSize): void
   for (const element of [...boxesIn(body)].reverse()) {
     if (around.has(element)) continue;
     const rects = [...element.getClientRects()];
-    if (rects.length < 2 || element.matches(replaced)) continue;
+    if (rects.length < 2 || element.matches(replaced) || isStretched(element, rects, flow))
+      continue;
     let content = contentOf(element);
     if (trimRoom(element, content, body, flow)) content = contentOf(element);
     const { first, last } = pagesOf(flow, [...element.getClientRects()]);
@@ -110,6 +111,28 @@ function hasRoom(element: Element, view: Window, end: "start" | "end"): boolean 
     isOver(style, [`padding-block-${end}`, `border-block-${end}-width`]) ||
     (isMade && isOver(part, sizes))
   );
+}
+
+/**
+ * Returns whether a box on several pages is only as high as what is beside it in a row: no page may end where
+ * that box does, as what is beside it would be pushed off its own.
+ */
+function isStretched(element: HTMLElement, rects: readonly DOMRect[], flow: PageFlow): boolean {
+  const { rowSpan = 1 } = element as Partial<HTMLTableCellElement>;
+  // The rows that a cell goes over are beside it.
+  if (rowSpan !== 1) return true;
+  const { parentElement: row, ownerDocument } = element;
+  const view = ownerDocument.defaultView as Window;
+  const end = rects.at(-1);
+  if (!row || !end || !/(?:flex|grid|table-row)$/.test(view.getComputedStyle(row).display)) {
+    return false;
+  }
+  const isBesideEnd = (rect: DOMRect): boolean =>
+    pageOfRect(flow, rect) === pageOfRect(flow, end) &&
+    (flow.isVertical
+      ? rect.left < end.right && rect.right > end.left
+      : rect.top < end.bottom && rect.bottom > end.top);
+  return [...row.children].some((one) => one !== element && contentOf(one).some(isBesideEnd));
 }
 
 /** Returns whether nothing before an element is on a page. */

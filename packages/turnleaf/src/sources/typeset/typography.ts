@@ -88,8 +88,14 @@ const bodyStyle = `body {
   ${columnSpan}: none !important;
 }`;
 
+/** Of what moves, a page shows where it ends, at once: words that come into sight are there. */
+const stillStyle = `*, ::before, ::after, ::marker {
+  animation-duration: 0s !important; animation-delay: 0s !important; animation-play-state: running !important;
+  animation-timeline: auto !important; transition: none !important;
+}`;
+
 /** Everything in it. */
-const everyStyle = `* { text-rendering: geometricPrecision !important; overflow-wrap: break-word; animation: none !important; transition: none !important; }${pieceStyle}${generatedStyle}`;
+const everyStyle = `* { text-rendering: geometricPrecision !important; overflow-wrap: break-word; }${stillStyle}${pieceStyle}${generatedStyle}`;
 
 /** Returns the style sheet that sets a section into pages as columns. */
 export function columnStyle(page: PageMeasures, isVertical: boolean, direction: string): string {
@@ -143,6 +149,7 @@ html {
   display: block !important; position: absolute !important; left: 0 !important; top: 0 !important;
   width: ${width}px; height: ${height}px; overflow: hidden !important;
 }
-* { text-rendering: geometricPrecision !important; animation: none !important; transition: none !important; }
+* { text-rendering: geometricPrecision !important; }
+${stillStyle}
 `;
 }
