@@ -6,6 +6,7 @@
 
 use crate::book::book_space_leaf::WIDTH;
 use crate::contact::flaps::{Flaps, PARTS_GAP};
+use crate::contact::separate_parts::LEAST_WEIGHT;
 use crate::contact::tolerance::ROOM_FROM_SPINE;
 use crate::models::sheet::Sheet;
 use crate::triangle::{Triangle, area_normal, nearest_weights, place_of};
@@ -15,10 +16,6 @@ use crate::vector::{dot, sub, unit};
 /// of what it lies upon. What reaches beyond the spine is pressed together before it, where it is not
 /// seen; what reaches farther lies upon the page across, and cannot be held shut with its own.
 const OVERHANG: f32 = 0.05;
-
-/// What moves a point over a triangle whose corners hardly move with it moves these by no more than if
-/// the squares of their weights came to this.
-const LEAST_WEIGHT: f32 = 0.1;
 
 /// Part of the page's width from the spine in which it is pressed together.
 const PRESSED: f32 = 0.45;

@@ -236,8 +236,7 @@ impl MovedLeaf<'_> {
         moved
     }
 
-    /// Moves nodes along a normal so that the place that has these weights of theirs moves by
-    /// so much. The column at the spine stays.
+    /// See [`DrawnParts::push`].
     fn push<const N: usize>(
         &mut self,
         nodes: [usize; N],
@@ -245,15 +244,7 @@ impl MovedLeaf<'_> {
         normal: [f32; 3],
         by: f32,
     ) {
-        let parts = self.parts;
-        let of_free = nodes.into_iter().zip(weights);
-        let of_free = of_free.filter(|(node, _)| !parts.is_bound(*node));
-        let whole: f32 = of_free.clone().map(|(_, weight)| weight * weight).sum();
-        for (node, weight) in of_free {
-            for axis in 0..3 {
-                self.points[node][axis] += by * weight / whole.max(0.1) * normal[axis];
-            }
-        }
+        self.parts.push(self.points, (nodes, weights), normal, by);
     }
 }
 

@@ -31,6 +31,10 @@ const PAIR: u32 = 500;
 const POINT: u32 = 5;
 const TRIANGLE: u32 = 15;
 
+/// A place whose nodes hardly move with it moves them by no more than if the squares of their weights
+/// came to this.
+pub const LEAST_WEIGHT: f32 = 0.1;
+
 /// Cells along a side of a block of triangles that one box bounds.
 pub const BLOCK: usize = 3;
 
@@ -543,8 +547,9 @@ impl DrawnParts {
         self.push(points, under, normal, (up - 1.0) * missing);
     }
 
-    /// Moves a place of nodes, but for those at the spine.
-    fn push<const N: usize>(
+    /// Moves the place that has these weights of some nodes along a normal by so much, and the nodes with
+    /// it, but for those at the spine.
+    pub fn push<const N: usize>(
         &self,
         points: &mut [[f32; 3]],
         (nodes, weights): ([usize; N], [f32; N]),
@@ -556,7 +561,7 @@ impl DrawnParts {
         let whole: f32 = free.clone().map(|(_, weight)| weight * weight).sum();
         for (node, weight) in free {
             for axis in 0..3 {
-                points[node][axis] += by * weight / whole.max(0.1) * normal[axis];
+                points[node][axis] += by * weight / whole.max(LEAST_WEIGHT) * normal[axis];
             }
         }
     }

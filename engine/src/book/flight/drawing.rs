@@ -63,7 +63,7 @@ impl Flight {
         }
         self.surface.update_normals();
         self.find_turned_over();
-        if self.shown.is_empty() || self.is_packet() {
+        if self.shown.is_empty() || self.packet().is_some() {
             // What is drawn of others next to it may have it drawn so for as long as they move; and the
             // layers of a packet lie off each other before they move as one.
             self.separate_own_parts(ROUNDS, &mut Work::new(u32::MAX));

@@ -6,6 +6,7 @@ use crate::book::leaf::Leaf;
 use crate::book::limits::NODES;
 use crate::book::phase::Phase;
 use crate::book::pile::Pile;
+use crate::book::shut_folds::Layers;
 use crate::contact::flap_order::FlapOrder;
 use crate::contact::mesh::{Folds, Mesh};
 use crate::contact::separate::{DrawnLeaf, is_rim, separate};
@@ -73,23 +74,23 @@ impl Flight {
     pub fn push_off_piles(&mut self, piles: [&Pile; 2], over: [f32; 2], work: &mut Work) {
         self.revision += 1;
         let over = Over::of(over, self.scale());
-        let before = self.is_packet().then(|| self.surface.positions.clone());
+        let before = self.surface.positions.clone();
         push_off(&mut self.surface.positions, piles, over);
-        if let Some(before) = before {
-            self.move_as_one(&before);
-        }
+        self.move_as_one(&before);
         self.separate_own_parts(ROUNDS, work);
         self.keep_off_piles(piles, over);
     }
 
-    /// Whether its folds are shut, so that its layers move as one.
-    pub(super) fn is_packet(&self) -> bool {
-        self.leaf.drawn_shut().is_some_and(|(_, part)| part == 1.0)
+    /// Its layers once its folds are shut, as one packet.
+    pub(super) fn packet(&self) -> Option<&Layers> {
+        let shut = self.leaf.drawn_shut().filter(|(_, part)| *part == 1.0);
+        shut.map(|(layers, _)| layers)
     }
 
-    /// Has its layers move as one, where its points were moved one by one from `before`.
+    /// Has the layers of a packet move as one, where its points were moved one by one from `before`.
     fn move_as_one(&mut self, before: &[f32]) {
-        if let Some((layers, _)) = self.leaf.drawn_shut() {
+        let shut = self.leaf.drawn_shut().filter(|(_, part)| *part == 1.0);
+        if let Some((layers, _)) = shut {
             let points = self.surface.positions.as_chunks_mut::<3>().0;
             let is_bound = |point: usize| self.parts.is_bound(point);
             layers.move_as_one(points, before.as_chunks::<3>().0, is_bound);
@@ -162,16 +163,13 @@ impl Flight {
             PlacedBlocks::of(&other)
         });
         let covered = neighbour.map_or(Vec::new(), |(_, side)| self.covered_on(side).to_vec());
-        let is_packet = self.is_packet();
         let mut last = self.surface.positions.clone();
         // A round looks only at what moved since the one before it.
         let (mut is_clear, mut is_covered, mut crosses) = (false, false, false);
         let mut is_resolved = false;
         for _ in 0..ROUNDS {
             self.keep_off_piles(piles, over);
-            if is_packet {
-                self.move_as_one(&last);
-            }
+            self.move_as_one(&last);
             let are_parts_clear = !self.is_creased() || !self.separate_own_parts(1, work);
             last.clone_from(&self.surface.positions);
             if let (Some((neighbour, side)), Some(placed)) = (neighbour, &mut placed) {
@@ -200,7 +198,7 @@ impl Flight {
                 crosses |= outcome == Outcome::Crosses;
                 is_clear = outcome <= Outcome::Covered;
                 is_covered |= outcome == Outcome::Covered;
-                if is_packet && outcome >= Outcome::Moved {
+                if outcome >= Outcome::Moved {
                     self.move_as_one(&last);
                     last.clone_from(&self.surface.positions);
                 }
@@ -245,8 +243,8 @@ impl Flight {
     /// The parts of a packet that others cover where a leaf on a side of it lies: that on the right
     /// lies on its verso.
     fn covered_on(&self, side: Side) -> &[u16] {
-        let packet = self.leaf.drawn_shut().filter(|_| self.is_packet());
-        packet.map_or(&[], |(layers, _)| layers.parts_on(side == Side::Right))
+        let layers = self.packet();
+        layers.map_or(&[], |layers| layers.parts_on(side == Side::Right))
     }
 }
 
