@@ -3,7 +3,7 @@
  * open page: the same word must be there when the book has come to rest again, and still when its pages
  * are counted. Fails where it is another.
  *
- *   node tests/soak/reloads.mjs [--reloads 40] [--seed N] [--flat] [--write] BOOK ...
+ *   node tests/soak/reloads.mjs [--reloads 40] [--seed N] [--flat] BOOK ...
  *
  * BOOK is a file, or a folder of files. Half of the reloads keep the place that the reader writes into the
  * address, the others lose it; half happen while the pages are counted, as far as counting lasts, the
@@ -11,14 +11,13 @@
  * counts.
  *
  * With --flat the books are shown on the flat, without WebGL: where software draws, a fraction of the time.
- * With --write the table is written into the docs.
  */
 import { readdirSync, statSync } from "node:fs";
 import { basename, join } from "node:path";
 import { parseArgs } from "node:util";
 import { chromium } from "playwright-core";
 import { chromiumArguments, findChromium } from "../../scripts/chromium.mjs";
-import { includeTables, markdown, writeTable } from "../../scripts/docs_tables.mjs";
+import { markdown } from "../../scripts/docs_tables.mjs";
 import { serve } from "../../scripts/reader_page.mjs";
 
 const { values, positionals } = parseArgs({
@@ -27,7 +26,6 @@ const { values, positionals } = parseArgs({
     reloads: { type: "string", default: "40" },
     seed: { type: "string", default: String(Date.now() % 1_000_000) },
     flat: { type: "boolean", default: false },
-    write: { type: "boolean", default: false },
   },
 });
 const [reloads, seed] = [Number(values.reloads), Number(values.seed)];
@@ -153,8 +151,4 @@ const wrong = [...tallies.values()].reduce((sum, { reloads, same }) => sum + rel
 console.log(
   `\n${markdown(table)}\nChromium ${version}, seed ${seed}: ${wrong} of ${reloads} changed.`,
 );
-if (values.write) {
-  writeTable("reloads", table);
-  includeTables();
-}
 process.exitCode = wrong > 0 ? 1 : 0;
