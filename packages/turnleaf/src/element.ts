@@ -536,9 +536,7 @@ export class TurnleafBook extends TearableElement {
 
   /** Sets how the web page's own print shows the book: in the colours of now, as no page is drawn while it prints. */
   #setPrintFilter(): void {
-    const { source } = this;
-    const done = source?.isCover(this.page - 1) ? "dim" : this.darkPagesNow;
-    const filter = printFilterOf(source?.colours ?? null, done);
+    const filter = printFilterOf(this.source?.colours ?? null, this.darkPagesNow);
     this.#tree.stage.style.setProperty("--printed", filter);
   }
 

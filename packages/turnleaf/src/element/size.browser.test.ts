@@ -6,7 +6,6 @@ import type { TurnleafBook } from "../element.ts";
 import { happens, scan, settled } from "../for_tests/element_books.ts";
 import { eventually } from "../for_tests/eventually.ts";
 import { toolSession } from "../for_tests/real_mouse.ts";
-import { tinyPdf } from "../sources/tiny_pdf.ts";
 
 afterEach(() => document.body.replaceChildren());
 
@@ -78,35 +77,22 @@ test("given no book it says what to give it, until it is given one", async () =>
   expect(message?.hidden).toBe(true);
 });
 
-/** Returns the filter under which a book in the document is printed, once it has some attributes. */
-async function printed(attributes: Record<string, string> = {}): Promise<string> {
-  const element = document.querySelector("turnleaf-book") as TurnleafBook;
-  const stage = element.shadowRoot?.querySelector("[part=stage]") as HTMLElement;
-  for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);
-  window.dispatchEvent(new Event("beforeprint"));
-  await toolSession().send("Emulation.setEmulatedMedia", { media: "print" });
-  const { filter } = getComputedStyle(stage);
-  await toolSession().send("Emulation.setEmulatedMedia", { media: "" });
-  expect(getComputedStyle(stage).filter).toBe("none");
-  return filter;
-}
-
 test("by night the web page's own print has ink on light paper, and pictures as bright as they are", async () => {
   await shown("width: 700px", "height: 500px", [90, 135], { theme: "night" });
-  expect(await printed()).toBe("brightness(1.25)");
+  const element = document.querySelector("turnleaf-book") as TurnleafBook;
+  const stage = element.shadowRoot?.querySelector("[part=stage]") as HTMLElement;
+  const printed = async (attributes: Record<string, string>): Promise<string> => {
+    for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);
+    window.dispatchEvent(new Event("beforeprint"));
+    await toolSession().send("Emulation.setEmulatedMedia", { media: "print" });
+    const { filter } = getComputedStyle(stage);
+    await toolSession().send("Emulation.setEmulatedMedia", { media: "" });
+    expect(getComputedStyle(stage).filter).toBe("none");
+    return filter;
+  };
+  expect(await printed({})).toBe("brightness(1.25)");
   expect(await printed({ "dark-pages": "invert" })).toMatch(/^invert/);
   expect(await printed({ theme: "light" })).toBe("none");
-});
-
-test("by night the cover of a document is printed in its own colours, as it is shown", async () => {
-  const element = document.createElement("turnleaf-book") as TurnleafBook;
-  element.setAttribute("theme", "night");
-  const text = "0 g 60 60 80 180 re f";
-  const pages = ["1 0 0 rg 0 0 200 300 re f", text, text, text];
-  element.pages = new File([tinyPdf({ pages })], "book.pdf");
-  document.body.append(element);
-  await happens(element, "load");
-  expect(await printed()).toBe("brightness(1.25)");
 });
 
 test("the web page's own print has the open spread as it is seen, and no bars", async () => {

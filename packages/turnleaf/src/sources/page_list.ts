@@ -281,11 +281,6 @@ export class PageList implements PageSource {
     return colours.pictures || (what === "print" ? "invert" : "dim");
   }
 
-  /** Returns whether a page (from 0) is the picture of the cover: nobody turns its colours over. */
-  isCover(index: number): boolean {
-    return this.cover === "picture" && index === 0;
-  }
-
   /** Returns what page `index` is in other colours; elements are as the web page has them. */
   #drawnAs(index: number): "text" | "print" | "picture" {
     const entry = this.order.pages[index];
@@ -300,7 +295,8 @@ export class PageList implements PageSource {
     picture: PagePicture,
     colours: PageColours,
   ): Promise<PagePicture> {
-    const isCover = this.isCover(index);
+    // Nobody turns a cover's colours over.
+    const isCover = this.cover === "picture" && index === 0;
     const what = isCover ? "picture" : this.#drawnAs(index);
     if (what === "text") return picture;
     const { tinted } = await loadPart(import("./tint.ts"));
