@@ -33,7 +33,7 @@ const entry = (name, limit, names = "") => ({
 
 /** What most books load, at once or later. */
 const usual = [
-  part("the text over the pages, once they show", 10.5, "book_text_overlay"),
+  part("the text over the pages, once they show", 11.3, "book_text_overlay"),
   part(
     "zoomed in, pages of other sizes, fold-outs, the place kept",
     6,
@@ -101,8 +101,8 @@ const allBut = (lines, name, limit) => ({
 });
 
 export default [
-  allBut([...usual, ...apart], "shows and turns a book", 172.6),
+  allBut([...usual, ...apart], "shows and turns a book", 172.8),
   ...usual,
   ...apart,
-  allBut(apart, "all that a usual book loads", 223),
+  allBut(apart, "all that a usual book loads", 224),
 ];

@@ -118,6 +118,11 @@ export class BookTextOverlay {
     return this.#layers[0]?.columnsOf(page) ?? [];
   }
 
+  /** As `TextLayer` has it, of the text over the book. */
+  selectWord(...place: Parameters<TextLayer["selectWord"]>): ReturnType<TextLayer["selectWord"]> {
+    return this.#layers[0]?.selectWord(...place) ?? null;
+  }
+
   /** Reads the pages again after a change of the book. */
   changed(): void {
     for (const layer of this.#layers) layer.reload();

@@ -84,6 +84,7 @@ export class OpenBook {
       ...{ viewer, plane, turn, announceZoom, calm, allows, swipeDistance },
       columnAt: (page, at) => this.reading.columnAt(page, at),
       columnsOf: (page) => this.reading.columnsOf(page),
+      selectWord: ({ x, y }) => this.reading.selectWord(x, y),
       tapped: () => stage.dispatchEvent(new Event(pageTap)),
     });
     const language = (): string => languageOf(element);

@@ -62,6 +62,13 @@ export class ReadableBook {
     return this.#overlay?.columnsOf(page) ?? [];
   }
 
+  /** As `BookTextOverlay` has it; null while that is not loaded. */
+  selectWord(
+    ...place: Parameters<BookTextOverlay["selectWord"]>
+  ): ReturnType<BookTextOverlay["selectWord"]> {
+    return this.#overlay?.selectWord(...place) ?? null;
+  }
+
   /** Reads the pages again after a change of the book. */
   changed(): void {
     this.#withText((text) => text.changed());

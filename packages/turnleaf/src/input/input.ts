@@ -49,7 +49,7 @@ const glideTime = 0.4;
 /** Duration of the zoom of a double tap, seconds. */
 const tapZoomTime = 0.28;
 
-/** Maximum duration of a finger's tap, milliseconds: one that stays selects text. */
+/** Maximum duration of a finger's tap, milliseconds: one that stays on text selects the word under it. */
 const longestTap = 450;
 
 /** A pointer that is down. */
@@ -65,6 +65,8 @@ interface Press extends Place {
   readonly caught: boolean;
   /** Whether it moves the view. */
   pans: boolean;
+  /** Extends what it selects to a place of the window, once it selects. */
+  extend: ((x: number, y: number) => void) | null;
   /** Its position. */
   at: Place;
   /** Where it went down and where it is in the window, whose pixels say how far a pointer has moved. */
@@ -171,10 +173,35 @@ export class Input {
     flick.move(at, time);
     const from = inWindow(event);
     const caught = drag !== null;
-    const press = { ...at, at, from, to: from, hit, kind, flick, time, drag, caught, pans: false };
+    const none = { pans: false, extend: null };
+    const press: Press = {
+      ...at,
+      at,
+      from,
+      to: from,
+      hit,
+      kind,
+      flick,
+      time,
+      drag,
+      caught,
+      ...none,
+    };
     this.#presses.set(event.pointerId, press);
     this.#canvas.setPointerCapture(event.pointerId);
     drag?.move(at.x, at.y);
+    if (kind === "mouse" || drag) return;
+    setTimeout(() => {
+      if (this.#presses.get(event.pointerId) === press) this.#select(press);
+    }, longestTap);
+  }
+
+  /** Selects the word under a finger or pen that has stayed where it went down. */
+  #select(press: Press): void {
+    const stays = press.drag === null && !press.pans && press.extend === null && !hasMoved(press);
+    if (!stays || this.#ended.signal.aborted) return;
+    press.extend = this.#target.selectWord(press.from);
+    if (press.extend) this.#taps.forget();
   }
 
   #move(event: PointerEvent): void {
@@ -184,8 +211,12 @@ export class Input {
     if (press === undefined) this.#hover(event, at);
     else {
       press.flick.move(at, event.timeStamp);
+      // On a busy page it may move before the page knows that it has stayed.
+      const hasStayed = press.kind !== "mouse" && event.timeStamp - press.time > longestTap;
+      if (hasStayed) this.#select(press);
       press.to = inWindow(event);
-      if (press.drag === null && !press.pans) this.#begin(press, at, event.pointerId);
+      if (press.extend) press.extend(press.to.x, press.to.y);
+      else if (press.drag === null && !press.pans) this.#begin(press, at, event.pointerId);
       press.drag?.move(at.x, at.y);
       if (press.pans) this.#viewer.zoom(this.#viewer.zoomLevel, press.at, at, 0);
       press.at = at;
@@ -222,6 +253,7 @@ export class Input {
     this.#presses.delete(event.pointerId);
     this.#canvas.style.cursor = "";
     const isDone = event.type === "pointerup";
+    if (press.extend) return;
     if (press.drag) {
       this.#release(press, press.drag, isDone ? event.timeStamp : null);
       const isTap = isDone && press.drag.doubleTap !== undefined && !hasMoved(press);
@@ -359,6 +391,7 @@ export class Input {
         drag: null,
         caught: false,
         pans: true,
+        extend: null,
         kind: "touch",
       };
       this.#presses.set(id, { ...press, flick: new Flick(), time: event.timeStamp });
@@ -368,8 +401,8 @@ export class Input {
 
   #touch(event: TouchEvent): void {
     const isPinch = event.touches.length >= 2 && this.#target.allows("zoom");
-    // What is caught follows the finger in every direction.
-    const holds = [...this.#presses.values()].some(({ drag }) => drag !== null);
+    // What is caught or selected follows the finger in every direction.
+    const holds = [...this.#presses.values()].some(({ drag, extend }) => drag ?? extend);
     if (!event.cancelable || !(isPinch || holds || this.#viewer.zoomLevel > 1)) return;
     event.preventDefault();
   }

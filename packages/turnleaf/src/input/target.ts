@@ -30,6 +30,11 @@ export interface InputTarget {
   readonly columnAt: (page: number, at: Place) => Column | null;
   /** Returns the columns of an open page's text in the order of reading; none if it has one, or its text is not known. */
   readonly columnsOf: (page: number) => readonly Column[];
+  /**
+   * Selects the word at a place of the window, CSS pixels. Returns what extends the selection by whole words
+   * to another place; null if there is no text at the first, or none may be copied.
+   */
+  readonly selectWord: (at: Place) => ((x: number, y: number) => void) | null;
   /** A finger has tapped on the middle of a page. */
   readonly tapped: () => void;
   /** Announces to screen readers the zoom level to which a key leads. */

@@ -318,9 +318,10 @@ export class PageBitmaps {
     return this.#keep(`under ${x} ${y} ${width} ${height}`, () => whitePage(this.#aspect, place));
   }
 
-  /** As `get`, but null for a page out of sight that is not drawn. */
+  /** As `get`, but null for a page out of sight that is not drawn, or is to be drawn anew, as in other colours. */
   getIfDrawn(page: number): PagePicture | null {
-    return this.#inSight.has(page) || this.#pool.get(page - 1) !== null ? this.get(page) : null;
+    const isDrawn = this.#pool.get(page - 1) !== null && !this.#pool.isOutdated(page - 1);
+    return this.#inSight.has(page) || isDrawn ? this.get(page) : null;
   }
 
   /** Returns why a page (from 1) cannot be shown, or null. */

@@ -193,3 +193,22 @@ test("in place of a page that takes long stands a sentence, until it is drawn", 
   await eventually(() => pictures.get(1)).toBe(drawn);
   pictures.close();
 });
+
+test("a page out of sight that is to be drawn in other colours is not shown in those that it had", async () => {
+  const { source } = slides();
+  const leaf = { width: 2, height: 1 };
+  const pictures = new PageBitmaps(source, leaf, { onArrive: () => {}, onDrop: () => {} });
+  pictures.want({ pages: [1], inSight: 1, lyingOpen: 1 }, () => 256, false);
+  await eventually(() => pictures.settled).toBe(true);
+  const byDay = pictures.get(1);
+  pictures.want({ pages: [], inSight: 0, lyingOpen: 0 }, () => 256, false);
+  expect(pictures.getIfDrawn(1)).toBe(byDay);
+  pictures.recolour("night");
+  // The edges of a board beside other pages would be as bright as its cover was.
+  expect(pictures.getIfDrawn(1)).toBeNull();
+  // In sight it is shown until it is drawn anew.
+  pictures.want({ pages: [1], inSight: 1, lyingOpen: 1 }, () => 256, false);
+  expect(pictures.getIfDrawn(1)).toBe(byDay);
+  await eventually(() => pictures.getIfDrawn(1) !== byDay).toBe(true);
+  pictures.close();
+});

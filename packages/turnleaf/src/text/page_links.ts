@@ -6,6 +6,7 @@ import { NotePopover } from "./note_popover.ts";
 import type { FieldPlace } from "./page_fields.ts";
 import type { Point } from "./page_view.ts";
 import { layOver, placeIn } from "./run_place.ts";
+import { wordsOf } from "./word_bounds.ts";
 
 /** How links are followed. */
 export interface LinkActions {
@@ -68,8 +69,6 @@ interface PrintedWord {
   readonly text: string;
   readonly middle: Point | null;
 }
-
-const wordsOf = new Intl.Segmenter(undefined, { granularity: "word" });
 
 /** Divides the text of a page into words, and what lies between them. */
 function wordsIn(runs: readonly TextRun[]): PrintedWord[] {

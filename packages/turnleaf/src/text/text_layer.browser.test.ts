@@ -6,8 +6,10 @@
 import { afterEach, beforeEach, expect, test } from "vitest";
 import { userEvent } from "vitest/browser";
 import type { TurnleafBook } from "../element.ts";
+import { clock } from "../for_tests/clock.ts";
 import { happens, scans, settled } from "../for_tests/element_books.ts";
 import { eventually } from "../for_tests/eventually.ts";
+import { finger, moveFinger } from "../for_tests/real_finger.ts";
 import { clickMouse, dragMouse, toolSession } from "../for_tests/real_mouse.ts";
 import { awayAndBack, boxIn, fonts, line, openedWhale, spansOf } from "../for_tests/text_books.ts";
 import { tinyEpub } from "../sources/epub/tiny_epub.ts";
@@ -83,6 +85,57 @@ test("a click beside the text ends its selection", async () => {
   await clickMouse({ x: last.x, y: last.y + 40 });
   expect(String(getSelection())).toBe("");
   expect(element.page).toBe(2);
+});
+
+/** Returns where the middle of a word in a piece of text is, given by the fraction of the piece before it. */
+const within = (text: string, fraction: number): { x: number; y: number } => {
+  const box = boxOf(text);
+  return { x: box.left + fraction * box.width, y: box.top + box.height / 2 };
+};
+
+test("a finger that rests on a word selects it, and then words up to where it moves; no leaf does", async () => {
+  const states = new Set<string>();
+  element.addEventListener("statechange", ({ detail }) => states.add(detail.state));
+  const on = within("Ishmael. Some", 0.85);
+  await finger("touchStart", on);
+  await clock.pass(400);
+  expect(String(getSelection())).toBe("");
+  await clock.pass(100);
+  expect(String(getSelection())).toBe("Some");
+  // To the margin beside the next line, and then before the word, into a gap between two lines.
+  const below = { x: boxOf("years ago").right + 15, y: within("years ago", 0).y };
+  await moveFinger(on, below);
+  expect(String(getSelection())).toBe("Some\nyears ago");
+  const above = { x: within("Call me", 0.8).x, y: boxOf("Call me").bottom + 1 };
+  await moveFinger(below, above);
+  expect(String(getSelection())).toBe("me\nIshmael. Some");
+  await finger("touchEnd");
+  await clock.pass(500);
+  expect(String(getSelection())).toBe("me\nIshmael. Some");
+  expect([...states]).toEqual([]);
+  expect(element.page).toBe(2);
+});
+
+test("a finger that rests on a page beside its text selects nothing, and turns the leaf when it moves", async () => {
+  const beside = { x: boxOf("never mind how").right - 5, y: boxOf("long Ishmael").bottom + 60 };
+  await finger("touchStart", beside);
+  await clock.pass(600);
+  await moveFinger(beside, { x: beside.x - 60, y: beside.y });
+  expect(String(getSelection())).toBe("");
+  expect(element.state).toBe("dragged");
+  await finger("touchEnd");
+  await settled(element);
+});
+
+test("a finger that moves at once turns the leaf, though text lies under it", async () => {
+  const on = within("never mind how", 0.8);
+  await finger("touchStart", on);
+  await moveFinger(on, { x: on.x - 60, y: on.y });
+  await clock.pass(600);
+  expect(String(getSelection())).toBe("");
+  expect(element.state).toBe("dragged");
+  await finger("touchEnd");
+  await settled(element);
 });
 
 /** Shows the second page and the third by themselves. Returns what is found on each once a divided word is. */

@@ -25,6 +25,7 @@ import type { PageView } from "./page_view.ts";
 import { layOver, type Project, placeIn } from "./run_place.ts";
 import { goesOn, mayGoOn } from "./searching.ts";
 import { keepSelection } from "./selecting.ts";
+import { selectWord } from "./word_selection.ts";
 
 /** The contents of an open page. */
 interface Content {
@@ -148,6 +149,15 @@ export class TextLayer {
     const content = this.#contents.get(page);
     const columns = content ? columnsOf(content.runs, content.size) : [];
     return this.#options.source.direction === "rtl" ? [...columns].reverse() : columns;
+  }
+
+  /**
+   * Selects the word at a place of the window, CSS pixels. Returns what extends the selection by whole words
+   * to another place; null if there is no text at the first, or none may be copied.
+   */
+  selectWord(x: number, y: number): ReturnType<typeof selectWord> {
+    const maySelect = !this.element.hidden && this.#options.source.allows?.copy !== false;
+    return maySelect ? selectWord(this.#text, x, y) : null;
   }
 
   /** Reads the open pages again after a change; what is played on one of them is heard first. */

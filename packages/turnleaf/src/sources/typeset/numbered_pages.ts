@@ -88,7 +88,16 @@ export class NumberedPages {
     return this.indexOf(section, page);
   }
 
-  /** Returns the place with which a page begins. */
+  /**
+   * Keeps a place for the page on which it lies: set otherwise, the book shows the page that has this place,
+   * and not the one that has what the page begins with now.
+   */
+  keepPlace(place: TextPlace): void {
+    const isExact = place.offset !== undefined && this.#edition.mapOf(place.section) !== undefined;
+    if (isExact) this.#places.set(this.indexOfPlace(place), place);
+  }
+
+  /** Returns the place with which a page begins, or that of a reader on it. */
   placeOn(index: number): TextPlace {
     const kept = this.#places.get(index);
     if (kept) return kept;

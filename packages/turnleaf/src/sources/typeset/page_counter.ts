@@ -112,6 +112,8 @@ export class PageCounter {
     if (this.#listener === null) this.#change();
     else if (places.some((place) => place && !this.pages.numbers.isKnown(place.section)))
       this.announce();
+    // Of several on a page the first is kept.
+    for (const place of [...places].reverse()) if (place) this.pages.keepPlace(place);
     return places.map((place) => place && this.pages.indexOfPlace(place));
   }
 
