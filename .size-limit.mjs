@@ -33,7 +33,7 @@ const entry = (name, limit, names = "") => ({
 
 /** What most books load, at once or later. */
 const usual = [
-  part("the text over the pages, once they show", 11.3, "book_text_overlay"),
+  part("the text over the pages, once they show", 11.4, "book_text_overlay"),
   part(
     "zoomed in, pages of other sizes, fold-outs, the place kept",
     6,

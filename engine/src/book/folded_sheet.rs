@@ -3,7 +3,7 @@
 
 use super::book_space_leaf::WIDTH;
 use crate::contact::flaps::Flaps;
-use crate::contact::separate_parts::{DrawnParts, ROUNDS};
+use crate::contact::separate_parts::{DrawnParts, ROUNDS, Rounds};
 use crate::contact::work::Work;
 use crate::models::sheet::Sheet;
 use crate::surface::Surface;
@@ -36,9 +36,13 @@ impl FoldedSheet {
     /// Moves the drawn parts off each other, of a page `width` metres wide.
     pub fn separate(&mut self, surface: &mut Surface, width: f32) {
         let work = &mut Work::new(u32::MAX);
-        let within = (width / WIDTH, ROUNDS);
+        let rounds = Rounds {
+            scale: width / WIDTH,
+            most: ROUNDS,
+            edges: false,
+        };
         self.parts.forget();
         self.parts
-            .separate_flaps(surface, &self.flaps, within, work);
+            .separate_flaps(surface, &self.flaps, rounds, work);
     }
 }

@@ -35,6 +35,17 @@ const TRIANGLE: u32 = 15;
 /// came to this.
 pub const LEAST_WEIGHT: f32 = 0.1;
 
+/// How thoroughly parts are moved off each other.
+#[derive(Clone, Copy)]
+pub struct Rounds {
+    /// How much wider the page is than one of 0.14 m.
+    pub scale: f32,
+    /// At most.
+    pub most: usize,
+    /// Whether edges are moved off triangles as well, and not points alone.
+    pub edges: bool,
+}
+
 /// Cells along a side of a block of triangles that one box bounds.
 pub const BLOCK: usize = 3;
 
@@ -311,20 +322,20 @@ impl DrawnParts {
     }
 
     /// Moves the drawn parts of a folded leaf off each other, to the sides to which they are folded,
-    /// within a scale and so many rounds: see [`separate`](Self::separate).
+    /// in some rounds: see [`separate`](Self::separate).
     pub fn separate_flaps(
         &mut self,
         surface: &mut Surface,
         flaps: &Flaps,
-        within: (f32, usize),
+        rounds: Rounds,
         work: &mut Work,
     ) -> bool {
         let points = surface.positions.as_chunks_mut::<3>().0;
         let side = |under, part, is_alike| flaps.drawn_side(under, part, is_alike);
-        self.separate(points, within, side, work)
+        self.separate(points, rounds, side, work)
     }
 
-    /// Moves parts out of each other that overlap, in so many rounds at most, and in one where no
+    /// Moves parts out of each other that overlap, in some rounds at most, and in one where no
     /// work is left; returns whether any did in the last. `side` says on which side of a triangle of a
     /// part a point of another lies, 1 that of its normal or -1, if the normals of both are along each
     /// other or not; None where it may lie on either. Lengths are those of a page 0.14 m wide; its own
@@ -332,12 +343,12 @@ impl DrawnParts {
     pub fn separate(
         &mut self,
         points: &mut [[f32; 3]],
-        (scale, rounds): (f32, usize),
+        Rounds { scale, most, edges }: Rounds,
         side: impl Fn(u16, u16, bool) -> Option<f32>,
         work: &mut Work,
     ) -> bool {
         let mut moved = false;
-        for round in 0..rounds {
+        for round in 0..most {
             if round > 0 && work.is_spent() {
                 break;
             }
@@ -388,7 +399,7 @@ impl DrawnParts {
                     moved = true;
                 }
             }
-            for home in 0..self.blocks.len() {
+            for home in (0..self.blocks.len()).filter(|_| edges) {
                 moved |= self.push_edges_apart(points, home, scale, work);
             }
             if !moved {
@@ -611,6 +622,12 @@ pub mod tests {
     const COLUMNS: usize = 9;
     const ROWS: usize = 7;
 
+    const ALL: Rounds = Rounds {
+        scale: 1.0,
+        most: ROUNDS,
+        edges: true,
+    };
+
     /// Two level parts of points a centimetre apart, the second folded over the first: what is
     /// folded at column 4 comes back to 20 mm, `over` metres above it.
     pub fn folded(over: f32) -> (Vec<[f32; 3]>, DrawnParts) {
@@ -671,12 +688,7 @@ pub mod tests {
     fn a_flap_that_is_drawn_into_its_page_is_raised_out_of_it() {
         for over in [5e-5f32, 0.0, -1e-3] {
             let (mut points, mut parts) = folded(over);
-            parts.separate(
-                &mut points,
-                (1.0, ROUNDS),
-                |_, _, _| Some(1.0),
-                &mut unbounded(),
-            );
+            parts.separate(&mut points, ALL, |_, _, _| Some(1.0), &mut unbounded());
             assert_eq!(heights(&points, 0..5), [0.0; 2], "the page stays");
             let [low, _] = heights(&points, 5..9);
             assert!(low > 0.5 * OVER_PILE, "{low} from {over}");
@@ -738,7 +750,7 @@ pub mod tests {
         assert!(crossings(&points, &parts) > 0);
         for _ in 0..3 {
             let upon = |_, _, _| Some(1.0);
-            parts.separate(&mut points, (1.0, ROUNDS), upon, &mut unbounded());
+            parts.separate(&mut points, ALL, upon, &mut unbounded());
         }
         assert_eq!(crossings(&points, &parts), 0);
     }
@@ -747,24 +759,19 @@ pub mod tests {
     fn what_has_not_moved_is_not_looked_at_again() {
         let (mut points, mut parts) = folded(0.0);
         let upon = |_, _, _| Some(1.0);
-        assert!(!parts.separate(&mut points, (1.0, ROUNDS), upon, &mut unbounded()));
+        assert!(!parts.separate(&mut points, ALL, upon, &mut unbounded()));
         let mut work = unbounded();
-        parts.separate(&mut points, (1.0, ROUNDS), upon, &mut work);
+        parts.separate(&mut points, ALL, upon, &mut work);
         assert_eq!(work.done(), 0);
         parts.forget();
-        parts.separate(&mut points, (1.0, ROUNDS), upon, &mut work);
+        parts.separate(&mut points, ALL, upon, &mut work);
         assert!(work.done() > 0);
     }
 
     #[test]
     fn a_page_is_raised_off_a_flap_that_lies_under_it() {
         let (mut points, mut parts) = folded(5e-4);
-        parts.separate(
-            &mut points,
-            (1.0, ROUNDS),
-            |_, _, _| Some(-1.0),
-            &mut unbounded(),
-        );
+        parts.separate(&mut points, ALL, |_, _, _| Some(-1.0), &mut unbounded());
         let [low, high] = heights(&points, 5..9);
         assert_eq!([low, high], [5e-4; 2], "the flap stays");
         let middle = heights(&points, 2..4)[0];
@@ -776,7 +783,11 @@ pub mod tests {
         let rounds = |rounds: usize, most: u32| {
             let (mut points, mut parts) = folded(-1e-3);
             let mut work = Work::new(most);
-            parts.separate(&mut points, (1.0, rounds), |_, _, _| Some(1.0), &mut work);
+            let rounds = Rounds {
+                most: rounds,
+                ..ALL
+            };
+            parts.separate(&mut points, rounds, |_, _, _| Some(1.0), &mut work);
             (points, work.done())
         };
         let [one, all, spent] = [(1, u32::MAX), (ROUNDS, u32::MAX), (ROUNDS, 1)]
@@ -789,16 +800,11 @@ pub mod tests {
     fn what_lies_clear_or_on_either_side_stays() {
         let (before, mut parts) = folded(1e-3);
         let mut points = before.clone();
-        parts.separate(
-            &mut points,
-            (1.0, ROUNDS),
-            |_, _, _| Some(1.0),
-            &mut unbounded(),
-        );
+        parts.separate(&mut points, ALL, |_, _, _| Some(1.0), &mut unbounded());
         assert_eq!(points, before);
         let (before, mut parts) = folded(-1e-3);
         let mut points = before.clone();
-        parts.separate(&mut points, (1.0, ROUNDS), |_, _, _| None, &mut unbounded());
+        parts.separate(&mut points, ALL, |_, _, _| None, &mut unbounded());
         assert_eq!(points, before);
     }
 }

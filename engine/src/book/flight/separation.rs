@@ -13,7 +13,7 @@ use crate::contact::separate::{DrawnLeaf, is_rim, separate};
 use crate::contact::separate_folded::{
     MovedLeaf, Order, Outcome, PartedLeaf, PlacedBlocks, push_off_leaf,
 };
-use crate::contact::separate_parts::{DrawnParts, ROUNDS};
+use crate::contact::separate_parts::{DrawnParts, ROUNDS, Rounds};
 use crate::contact::work::Work;
 use crate::grid::Side;
 
@@ -114,10 +114,15 @@ impl Flight {
             return false;
         }
         self.rounds += rounds;
-        let within = (self.scale(), rounds);
+        let rounds = Rounds {
+            scale: self.scale(),
+            most: rounds,
+            // What lies is as it was when it was looked at after it had landed, and points are enough.
+            edges: !matches!(self.phase(), Phase::Resting(_)),
+        };
         self.leaf.flaps().is_some_and(|flaps| {
             let surface = &mut self.surface;
-            self.parts.separate_flaps(surface, flaps, within, work)
+            self.parts.separate_flaps(surface, flaps, rounds, work)
         })
     }
 

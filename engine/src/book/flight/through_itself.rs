@@ -4,7 +4,7 @@ use super::{CUTTING, Flight, MOVING, folds};
 use crate::book::gutter::Gutter;
 use crate::book::phase::Phase;
 use crate::contact::mesh::Mesh;
-use crate::contact::separate_parts::ROUNDS;
+use crate::contact::separate_parts::{ROUNDS, Rounds};
 use crate::contact::tolerance::{AT_FACET, DEEP, GAP};
 use crate::contact::work::Work;
 
@@ -66,11 +66,15 @@ impl Flight {
     fn cut_spare(&mut self, work: &mut Work) {
         work.spend(MOVING + CUTTING);
         self.leaf.write_surface(&mut self.spare);
-        let within = (self.scale(), ROUNDS);
+        let rounds = Rounds {
+            scale: self.scale(),
+            most: ROUNDS,
+            edges: false,
+        };
         if let Some(flaps) = self.leaf.flaps() {
             let spare = &mut self.spare;
             self.parts.forget();
-            self.parts.separate_flaps(spare, flaps, within, work);
+            self.parts.separate_flaps(spare, flaps, rounds, work);
         }
         self.spare.update_normals();
         self.tiles.cut(Mesh {
