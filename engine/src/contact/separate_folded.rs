@@ -244,7 +244,7 @@ impl MovedLeaf<'_> {
         normal: [f32; 3],
         by: f32,
     ) {
-        self.parts.push(self.points, (nodes, weights), normal, by);
+        self.parts.push(self.points, (&nodes, &weights), normal, by);
     }
 }
 

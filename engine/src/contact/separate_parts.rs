@@ -394,8 +394,8 @@ impl DrawnParts {
                     missing,
                 }) = under
                 {
-                    let triangle = (corners, weights);
-                    self.push_apart(points, ([node], [1.0]), triangle, normal, missing);
+                    let triangle = (&corners[..], &weights[..]);
+                    self.push_apart(points, (&[node], &[1.0]), triangle, normal, missing);
                     moved = true;
                 }
             }
@@ -524,8 +524,9 @@ impl DrawnParts {
                     if is_grazing && lowest.height < 0.0 {
                         let EdgePlace { way, weights, .. } = lowest;
                         let by = SLACK * scale - lowest.height;
-                        let edge = (edge, [1.0 - way, way]);
-                        self.push_apart(points, edge, (*corners, weights), triangle.normal, by);
+                        let at = [1.0 - way, way];
+                        let under = (&corners[..], &weights[..]);
+                        self.push_apart(points, (&edge, &at), under, triangle.normal, by);
                         moved = true;
                     }
                 }
@@ -545,11 +546,11 @@ impl DrawnParts {
 
     /// Moves a place of some nodes and one of a triangle apart along a normal, each by these weights: of
     /// the two the one that is farther up moves.
-    fn push_apart<const N: usize>(
+    fn push_apart(
         &self,
         points: &mut [[f32; 3]],
-        over: ([usize; N], [f32; N]),
-        under: ([usize; 3], [f32; 3]),
+        over: (&[usize], &[f32]),
+        under: (&[usize], &[f32]),
         normal: [f32; 3],
         missing: f32,
     ) {
@@ -560,19 +561,20 @@ impl DrawnParts {
 
     /// Moves the place that has these weights of some nodes along a normal by so much, and the nodes with
     /// it, but for those at the spine.
-    pub fn push<const N: usize>(
+    #[inline(never)]
+    pub fn push(
         &self,
         points: &mut [[f32; 3]],
-        (nodes, weights): ([usize; N], [f32; N]),
+        (nodes, weights): (&[usize], &[f32]),
         normal: [f32; 3],
         by: f32,
     ) {
-        let free = nodes.into_iter().zip(weights);
-        let free = free.filter(|(node, _)| !self.is_bound(*node));
+        let free = nodes.iter().zip(weights);
+        let free = free.filter(|(node, _)| !self.is_bound(**node));
         let whole: f32 = free.clone().map(|(_, weight)| weight * weight).sum();
         for (node, weight) in free {
             for axis in 0..3 {
-                points[node][axis] += by * weight / whole.max(LEAST_WEIGHT) * normal[axis];
+                points[*node][axis] += by * weight / whole.max(LEAST_WEIGHT) * normal[axis];
             }
         }
     }
