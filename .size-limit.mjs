@@ -53,7 +53,7 @@ const apart = [
   // The table of formats has their names, endings and media types too, as the command reads it.
   part("opens a book of any format", 12.6, "open"),
   part("photographs of a turn", 9, "photographs images image_header"),
-  part("folded pages, leaves torn out", 242.6, "creasable_book folds line_folds tearing torn_pages"),
+  part("folded pages, leaves torn out", 243, "creasable_book folds line_folds tearing torn_pages"),
   part("pages that are elements, live in the air", 1, "live_drawings"),
   part("pages that are scrolled", 4, "roll_view"),
   part("sounds and films on a page", 1, "page_media"),
