@@ -650,6 +650,22 @@ mod tests {
         }
     }
 
+    /// As where the flap lies on the other side of its page.
+    #[test]
+    fn a_part_that_others_cover_is_not_met() {
+        let (under, parts) = folded(1e-3);
+        let other = PartedLeaf {
+            points: &under,
+            parts: &parts,
+            shut: 1,
+            covered: &[1],
+        };
+        let before = points([0.0; 2], |_, _| 3e-4);
+        let mut own = before.clone();
+        assert_eq!(move_off(&mut own, &other), Outcome::Clear);
+        assert_eq!(own, before);
+    }
+
     #[test]
     fn a_leaf_that_lies_clear_of_a_folded_one_stays() {
         let (under, parts) = folded(1e-3);

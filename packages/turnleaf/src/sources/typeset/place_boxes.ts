@@ -151,12 +151,17 @@ function indentChange(style: CSSStyleDeclaration, box: DOMRect, page: DOMRect): 
   return before + indent < 0 || indent >= length ? { "text-indent": "0" } : null;
 }
 
-/** Returns an indent in CSS pixels; a browser leaves percentages, of lines of some length, as they are. */
+/** Returns an indent in CSS pixels; a browser leaves percentages, of lines of some length, as they are: `calc(10% - 5px)`. */
 function indentOf(value: string, length: number): number {
-  const percent = /(-?[\d.]+)%/.exec(value);
-  const pixels = /(- ?)?([\d.]+)px/.exec(value);
-  const apart = pixels ? Number(pixels[2]) * (pixels[1] ? -1 : 1) : 0;
-  return (percent ? (Number(percent[1]) * length) / 100 : 0) + apart;
+  let indent = 0;
+  let sign = 1;
+  for (const word of value.replace(/calc|[()]/g, "").split(" ")) {
+    const number = Number.parseFloat(word);
+    if (Number.isFinite(number))
+      indent += sign * (word.endsWith("%") ? (number / 100) * length : number);
+    sign = word === "-" ? -1 : 1;
+  }
+  return indent;
 }
 
 /** Returns the styles by which a box whose indents leave no room for two letters has none; null for others. */
