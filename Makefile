@@ -17,7 +17,7 @@ TOOLS = target/check_tools/bin
 SOURCES = $(shell find packages -type f -not -path '*/node_modules/*' -not -path '*/dist/*' -not -path '*/tests/*' -not -path '*/for_tests/*' -not -name '*.test.ts')
 RUST_SOURCES = $(shell find Cargo.toml Cargo.lock rust-toolchain.toml engine/Cargo.toml wasm/Cargo.toml engine/src wasm/src -type f)
 
-.PHONY: read build wasm unpacker test test-rust test-js test-long check check-rust check-js check-licences size bench bench-peers bench-hanging gestures gestures-creases soak soak-folds fuzz playground examples pictures films methods recordings photographs reference site book clean tools-rust chromium browsers engines test-apps test-iiif test-cluster test-publish corpora report-corpora report-epub
+.PHONY: read build wasm unpacker test test-rust test-js test-long check check-rust check-js check-licences size bench bench-peers bench-hanging gestures gestures-creases soak soak-folds soak-reloads fuzz playground examples pictures films methods recordings photographs reference site book clean tools-rust chromium browsers engines test-apps test-iiif test-cluster test-publish corpora report-corpora report-epub
 
 read: build
 	node $(CLI) read "$(BOOK)" $(if $(PORT),--port $(PORT)) $(if $(filter no,$(OPEN)),--no-open)
@@ -188,6 +188,11 @@ FOLDS ?= 2000
 soak-folds: build chromium
 	node tests/soak/run.mjs --only folds --operations $(FOLDS) --seed $(SEED) --undrawn
 	node tests/soak/run.mjs --only folds --operations $(FOLDS) --seed $(SEED)
+
+# Forty reloads of BOOKS (files, or folders of them) at random places in Chromium, by SEED: the same word is at
+# the head of the page after each, on a desktop and on a phone.
+soak-reloads: build chromium
+	node tests/soak/reloads.mjs --seed $(SEED) --flat $(BOOKS)
 
 # Every parser with what mutated files and texts say, FUZZ times as much of it as `make test` has, by SEED.
 FUZZ ?= 50
