@@ -74,23 +74,23 @@ impl Flight {
     pub fn push_off_piles(&mut self, piles: [&Pile; 2], over: [f32; 2], work: &mut Work) {
         self.revision += 1;
         let over = Over::of(over, self.scale());
-        let before = self.surface.positions.clone();
+        let before = self.packet().map(|_| self.surface.positions.clone());
         push_off(&mut self.surface.positions, piles, over);
-        self.move_as_one(&before);
+        if let Some(before) = before {
+            self.move_as_one(&before);
+        }
         self.separate_own_parts(ROUNDS, work);
         self.keep_off_piles(piles, over);
     }
 
     /// Its layers once its folds are shut, as one packet.
     pub(super) fn packet(&self) -> Option<&Layers> {
-        let shut = self.leaf.drawn_shut().filter(|(_, part)| *part == 1.0);
-        shut.map(|(layers, _)| layers)
+        packet_of(&self.leaf)
     }
 
     /// Has the layers of a packet move as one, where its points were moved one by one from `before`.
     fn move_as_one(&mut self, before: &[f32]) {
-        let shut = self.leaf.drawn_shut().filter(|(_, part)| *part == 1.0);
-        if let Some((layers, _)) = shut {
+        if let Some(layers) = packet_of(&self.leaf) {
             let points = self.surface.positions.as_chunks_mut::<3>().0;
             let is_bound = |point: usize| self.parts.is_bound(point);
             layers.move_as_one(points, before.as_chunks::<3>().0, is_bound);
@@ -168,15 +168,20 @@ impl Flight {
             PlacedBlocks::of(&other)
         });
         let covered = neighbour.map_or(Vec::new(), |(_, side)| self.covered_on(side).to_vec());
-        let mut last = self.surface.positions.clone();
+        // Where the points of a packet were when it moved last.
+        let mut last = self.packet().map(|_| before.clone());
         // A round looks only at what moved since the one before it.
         let (mut is_clear, mut is_covered, mut crosses) = (false, false, false);
         let mut is_resolved = false;
         for _ in 0..ROUNDS {
             self.keep_off_piles(piles, over);
-            self.move_as_one(&last);
+            if let Some(last) = &last {
+                self.move_as_one(last);
+            }
             let are_parts_clear = !self.is_creased() || !self.separate_own_parts(1, work);
-            last.clone_from(&self.surface.positions);
+            if let Some(last) = &mut last {
+                last.clone_from(&self.surface.positions);
+            }
             if let (Some((neighbour, side)), Some(placed)) = (neighbour, &mut placed) {
                 if work.is_spent() {
                     is_clear = false;
@@ -203,8 +208,8 @@ impl Flight {
                 crosses |= outcome == Outcome::Crosses;
                 is_clear = outcome <= Outcome::Covered;
                 is_covered |= outcome == Outcome::Covered;
-                if outcome >= Outcome::Moved {
-                    self.move_as_one(&last);
+                if let Some(last) = last.as_mut().filter(|_| outcome >= Outcome::Moved) {
+                    self.move_as_one(last);
                     last.clone_from(&self.surface.positions);
                 }
             }
@@ -251,6 +256,12 @@ impl Flight {
         let layers = self.packet();
         layers.map_or(&[], |layers| layers.parts_on(side == Side::Right))
     }
+}
+
+/// The layers of a leaf whose folds are drawn shut.
+fn packet_of(leaf: &Leaf) -> Option<&Layers> {
+    let shut = leaf.drawn_shut().filter(|(_, part)| *part == 1.0);
+    shut.map(|(layers, _)| layers)
 }
 
 /// Says of a drawn point of a leaf, by its column and row, whether it may touch a neighbour,

@@ -173,7 +173,6 @@ export class Input {
     flick.move(at, time);
     const from = inWindow(event);
     const caught = drag !== null;
-    const none = { pans: false, extend: null };
     const press: Press = {
       ...at,
       at,
@@ -185,7 +184,8 @@ export class Input {
       time,
       drag,
       caught,
-      ...none,
+      pans: false,
+      extend: null,
     };
     this.#presses.set(event.pointerId, press);
     this.#canvas.setPointerCapture(event.pointerId);
