@@ -61,7 +61,7 @@ pub struct Flight {
     /// Whether the surface holds what is to be drawn in the sheet's place.
     overridden: bool,
     /// Whether what is wanted, and what was drawn last, may be bent back on itself: by a grab, by
-    /// others, by its own weight, or as it is drawn in the sheet's place.
+    /// others, by its own weight, along its creases, or as it is drawn in the sheet's place.
     may_be_folded: bool,
     was_drawn_folded: bool,
     /// Whether it is then bent so far that it may reach round others.

@@ -295,4 +295,14 @@ mod tests {
         assert_eq!(name, "half, turned, bible, 140 x 210 mm");
         assert!(*in_flight < 0.5 && *at_rest < 0.1, "{in_flight} {at_rest}");
     }
+
+    /// A letter that is folded in other places, whose paper goes through itself as its end comes down: it
+    /// is drawn as it was before that.
+    #[test]
+    fn a_letter_that_is_folded_again_is_not_drawn_through_itself() {
+        let report = Report::of(50..51, &[], 1).expect("it is played");
+        let (_, name, [in_flight, at_rest]) = &report.worst[0];
+        assert_eq!(name, "letter, folded again, coated, 140 x 210 mm");
+        assert!(*in_flight < 0.5 && *at_rest < 0.1, "{in_flight} {at_rest}");
+    }
 }

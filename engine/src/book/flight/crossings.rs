@@ -6,7 +6,7 @@ use crate::book::bend_into_gutter::is_clear;
 use crate::book::pile::Pile;
 use crate::contact::crossing::{is_fore_edge_past, is_past};
 use crate::contact::mesh::Mesh;
-use crate::contact::tolerance::{AT_FACET, DEEP, NOT_UPON, PAST_AT_SPINE};
+use crate::contact::tolerance::{AT_FACET, DEEP, GAP, NOT_UPON, PAST_AT_SPINE};
 use crate::contact::work::Work;
 
 /// By how much drawn leaves of a page 0.14 m wide may go through each other and only touch, metres: where
@@ -87,7 +87,9 @@ impl Flight {
     /// Whether what is drawn of it goes through itself, as it was when it was
     /// [cut](Self::cut_drawn) last.
     pub fn is_drawn_through_itself(&mut self, work: &mut Work) -> bool {
-        self.tiles.cross_themselves(AT_FACET * self.scale(), work)
+        // Parts of a creased leaf lie upon each other, and graze where they are cut into facets.
+        let apart = if self.is_creased() { -GAP } else { AT_FACET };
+        self.tiles.cross_themselves(apart * self.scale(), work)
     }
 
     /// Whether what is drawn of it lies clear of the piles (right and left).

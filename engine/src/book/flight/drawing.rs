@@ -4,6 +4,7 @@
 use super::Flight;
 use crate::book::bend_into_gutter::bend_into_gutter;
 use crate::book::limits::FARTHEST;
+use crate::book::phase::Phase;
 use crate::book::pile::Pile;
 use crate::contact::flaps::is_turned_over;
 use crate::contact::separate::find_bends;
@@ -39,11 +40,15 @@ impl Flight {
             is_crumpled || is_overridden || needs_crossing_test || self.had_crossing;
         self.is_bent_back = is_overridden
             || ((is_crumpled || self.was_driven) && self.leaf.in_book_space().is_bent_back());
-        // A large page folds by its own weight, or by the wind. A creased one is folded where it
-        // may be.
+        // A large page folds by its own weight, or by the wind. What is folded over may come through
+        // the rest wherever its folds are not held shut; under a hand it follows that.
         let is_curled = self.leaf.in_book_space().is_curled();
-        self.may_be_folded =
-            (is_crumpled || self.is_bent_back || is_curled) && self.creased.is_none();
+        self.may_be_folded = if self.is_creased() {
+            let is_held = self.phase() == Phase::Held;
+            !is_held && self.packet().is_none() && !self.leaf.is_down()
+        } else {
+            is_crumpled || self.is_bent_back || is_curled
+        };
         if !is_overridden {
             self.leaf.write_surface(&mut self.surface);
         }
