@@ -41,3 +41,18 @@ test("a clock that is held draws no frame by itself, until it runs, whatever dre
   await aFrame();
   expect(drawn).toBe(2);
 });
+
+test("while time passes a timer ends by frames alone, however long these take on the machine", async () => {
+  let isOver = false;
+  // biome-ignore lint/plugin: the timers of the clock are what is tested.
+  setTimeout(() => (isOver = true), 50);
+  const passed = clock.pass(33);
+  const end = Date.now() + 60;
+  while (Date.now() < end) {
+    // The machine is busy.
+  }
+  await passed;
+  expect(isOver).toBe(false);
+  await clock.pass(33);
+  expect(isOver).toBe(true);
+});

@@ -3,7 +3,8 @@
  * long as the page lives. A frame comes a sixtieth of a second after the one before, however busy the
  * machine is, and as soon as the browser has had a task between them: a turn of a second takes as long as
  * its work does. A timer ends once the frames have taken its time, and in any case once that is over on
- * the machine's clock, so that what waits for the network or a worker is not given up early.
+ * the machine's clock, so that what waits for the network or a worker is not given up early; but not
+ * while a test lets time pass, which is taken by frames alone, however long they take.
  */
 
 /** Time between two frames, milliseconds. */
@@ -26,6 +27,8 @@ const endRealTimeout = globalThis.clearTimeout.bind(globalThis);
 interface Timer {
   readonly due: number;
   readonly call: () => void;
+  /** The machine's timer that ends it. */
+  real: number;
 }
 
 const requests = new Map<number, FrameRequestCallback>();
@@ -39,6 +42,8 @@ let lastRequest = 0;
 let isHeld = false;
 /** Calls that are drawing frames of their own. They may overlap, and end in any order, even in a later test. */
 let drawing = 0;
+/** Calls that are letting time pass. */
+let passing = 0;
 let hasTask = false;
 
 tasks.port1.onmessage = () => {
@@ -64,9 +69,9 @@ function schedule(): void {
 
 function frame(): void {
   now += frameTime;
-  for (const [id, { due, call }] of [...timers]) {
+  for (const [id, { due, call, real }] of [...timers]) {
     if (due > now || !timers.delete(id)) continue;
-    endRealTimeout(id);
+    endRealTimeout(real);
     attempt(call);
   }
   const calls = [...requests.values()];
@@ -179,10 +184,12 @@ export const clock: TestClock = {
     if (!isInstalled) return new Promise((resolve) => realTimeout(resolve, milliseconds));
     const end = now + milliseconds;
     return whileHeld(async () => {
+      passing++;
       while (now < end) {
         frame();
         await task();
       }
+      passing--;
     });
   },
   task,
@@ -210,18 +217,23 @@ export function installClock(): void {
   window.cancelAnimationFrame = (request) => {
     requests.delete(request);
   };
-  window.setTimeout = ((call: TimerHandler, milliseconds = 0, ...args: unknown[]) => {
+  window.setTimeout = ((handler: TimerHandler, milliseconds = 0, ...args: unknown[]) => {
+    const call = (): void => {
+      if (typeof handler === "function") handler(...args);
+    };
+    if (!(milliseconds > 0)) return realTimeout(call, milliseconds);
     const end = (): void => {
-      timers.delete(id);
-      if (typeof call === "function") call(...args);
+      if (passing > 0) timer.real = realTimeout(end, idleTime);
+      else if (timers.delete(id)) call();
     };
     const id = realTimeout(end, milliseconds);
-    if (milliseconds > 0) timers.set(id, { due: now + milliseconds, call: end });
+    const timer = { due: now + milliseconds, call, real: id };
+    timers.set(id, timer);
     return id;
   }) as typeof setTimeout;
   window.clearTimeout = (id) => {
+    endRealTimeout(timers.get(Number(id))?.real ?? id);
     timers.delete(Number(id));
-    endRealTimeout(id);
   };
   performance.now = () => now;
   Object.defineProperty(Event.prototype, "timeStamp", { get: () => now, configurable: true });
