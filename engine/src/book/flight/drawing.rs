@@ -41,7 +41,7 @@ impl Flight {
         self.is_bent_back = is_overridden
             || ((is_crumpled || self.was_driven) && self.leaf.in_book_space().is_bent_back());
         // A large page folds by its own weight, or by the wind. What is folded over may come through
-        // the rest wherever its folds are not held shut; under a hand it follows that.
+        // the rest wherever its folds are not held shut; but held back under a hand it would stand still.
         let is_curled = self.leaf.in_book_space().is_curled();
         self.may_be_folded = if self.is_creased() {
             let is_held = self.phase() == Phase::Held;
