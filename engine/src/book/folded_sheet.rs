@@ -2,8 +2,9 @@
 //! is drawn of them is kept apart.
 
 use super::book_space_leaf::WIDTH;
+use crate::contact::drawn_parts::DrawnParts;
 use crate::contact::flaps::Flaps;
-use crate::contact::separate_parts::{DrawnParts, ROUNDS, Rounds};
+use crate::contact::separate_parts::{ROUNDS, Rounds};
 use crate::contact::work::Work;
 use crate::models::sheet::Sheet;
 use crate::surface::Surface;

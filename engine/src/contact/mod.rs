@@ -6,12 +6,15 @@
 
 pub mod aabb;
 pub mod crossing;
+pub mod drawn_parts;
 pub mod flap_order;
 pub mod flaps;
 pub mod mesh;
+pub mod parted_leaf;
 pub mod relief;
 pub mod separate;
 pub mod separate_folded;
 pub mod separate_parts;
+pub mod slab;
 pub mod tolerance;
 pub mod work;

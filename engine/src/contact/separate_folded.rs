@@ -8,13 +8,11 @@
 //! which is where they pass its rim.
 
 use super::aabb::Aabb;
-use super::flap_order::FlapOrder;
-use super::flaps::is_turned_over;
-use super::separate_parts::{BLOCK, Block, DrawnParts, Slab};
+use super::drawn_parts::{BLOCK, Block};
+use super::parted_leaf::{MovedLeaf, Order, PartedLeaf, PlacedBlocks};
 use super::tolerance::{NOT_UPON, ROOM_FROM_SPINE, SLACK, SLIVER};
 use super::work::Work;
-use crate::triangle::{BESIDE, EdgePlace, Triangle};
-use crate::vector::dot;
+use crate::triangle::{EdgePlace, Triangle};
 
 /// Work of looking at two blocks, at a point beside a block or a triangle, and at a triangle,
 /// nanoseconds.
@@ -24,127 +22,6 @@ const TRIANGLE: u32 = 10;
 
 /// Corners of a block, at most.
 const CORNERS: usize = (BLOCK + 1) * (BLOCK + 1);
-
-/// A drawn leaf and its parts.
-#[derive(Clone, Copy)]
-pub struct PartedLeaf<'a> {
-    pub points: &'a [[f32; 3]],
-    pub parts: &'a DrawnParts,
-    /// Its creases that are [shut](super::flaps::Flaps::shut).
-    pub shut: u16,
-    /// Parts that others cover on the side where the other leaf lies, which meets none of them.
-    pub covered: &'a [u16],
-}
-
-/// How two leaves lie to each other.
-#[derive(Clone, Copy, Debug)]
-pub struct Order {
-    /// 1 where the leaf that is moved lies on the recto's side of the other, or -1.
-    pub side: f32,
-    /// How much wider it is than a page of 0.14 m.
-    pub scale: f32,
-    /// How its parts lie upon those of the other.
-    pub parts: FlapOrder,
-}
-
-impl Order {
-    /// The same as seen from the other leaf.
-    fn reversed(self) -> Order {
-        Order {
-            side: -self.side,
-            parts: self.parts.reversed(),
-            ..self
-        }
-    }
-
-    /// Whether a block lies under one of the other leaf, where both lie open.
-    fn is_under(
-        self,
-        (leaf, block): (&PartedLeaf<'_>, usize),
-        (other, over): (&PartedLeaf<'_>, usize),
-    ) -> bool {
-        self.parts
-            .is_under(leaf.is_turned_over(block), other.is_turned_over(over))
-    }
-
-    /// On which side of the triangles of a block of another leaf a block lies, 1 that of their normals
-    /// or -1.
-    fn side_of(
-        self,
-        (leaf, block): (&PartedLeaf<'_>, usize),
-        (other, under): (&PartedLeaf<'_>, usize),
-    ) -> f32 {
-        if other.is_turned_over(under) != self.is_under((leaf, block), (other, under)) {
-            -self.side
-        } else {
-            self.side
-        }
-    }
-}
-
-/// Where the blocks of a leaf are.
-pub struct PlacedBlocks {
-    boxes: Vec<Aabb>,
-    slabs: Vec<Option<Slab>>,
-}
-
-impl PlacedBlocks {
-    pub fn of(leaf: &PartedLeaf<'_>) -> PlacedBlocks {
-        let blocks = leaf.parts.blocks.iter();
-        let boxes: Vec<_> = blocks.map(|block| leaf.box_of(block)).collect();
-        PlacedBlocks {
-            slabs: vec![None; boxes.len()],
-            boxes,
-        }
-    }
-
-    fn slab(&mut self, leaf: &PartedLeaf<'_>, block: usize) -> Slab {
-        *self.slabs[block].get_or_insert_with(|| {
-            let triangles = leaf.parts.blocks[block].triangles.clone();
-            Slab::around(leaf.points, &leaf.parts.triangles[triangles])
-        })
-    }
-
-    /// The box around all.
-    fn around(&self) -> Aabb {
-        let mut all = Aabb::EMPTY;
-        self.boxes.iter().for_each(|one| all.unite(one));
-        all
-    }
-
-    /// Whether a box is beside a block: nowhere over its triangles or under them, or deeper than what overlaps.
-    fn is_beside(&self, bounds: &Aabb, block: usize, slab: &Slab, scale: f32) -> bool {
-        let own = &self.boxes[block];
-        let size = own.size();
-        let beyond = BESIDE * dot(size, size).sqrt();
-        let within = slab.normal.map(|n| NOT_UPON * scale * n.abs() + beyond);
-        !own.grown(within).overlaps(bounds)
-    }
-}
-
-impl PartedLeaf<'_> {
-    fn box_of(&self, block: &Block) -> Aabb {
-        let corners = self.parts.corners[block.corners.clone()].iter();
-        Aabb::around(corners.map(|node| self.points[*node]))
-    }
-
-    fn is_covered(&self, block: usize) -> bool {
-        self.covered.contains(&self.parts.blocks[block].part)
-    }
-
-    fn is_turned_over(&self, block: usize) -> bool {
-        is_turned_over(self.parts.blocks[block].part, self.shut)
-    }
-
-    /// Whether every corner of a block is so far from the triangles in a slab, on a side.
-    fn is_clear_of(&self, block: usize, bounds: &Aabb, slab: &Slab, side: f32, gap: f32) -> bool {
-        let corners = &self.parts.corners[self.parts.blocks[block].corners.clone()];
-        slab.distance(bounds, side) >= gap
-            || corners
-                .iter()
-                .all(|node| slab.distance_of(self.points[*node], side) >= gap)
-    }
-}
 
 /// Where a place is too low over a triangle, or in it.
 #[derive(Clone, Copy)]
@@ -196,58 +73,6 @@ fn lowest_over(
     Some((lowest, missing))
 }
 
-/// A leaf that is moved.
-pub struct MovedLeaf<'a> {
-    pub points: &'a mut [[f32; 3]],
-    pub parts: &'a DrawnParts,
-    pub shut: u16,
-    /// See [`PartedLeaf::covered`].
-    pub covered: &'a [u16],
-    /// Where its points were when they were looked at last; empty where they never were.
-    pub seen: &'a mut Vec<[f32; 3]>,
-}
-
-impl MovedLeaf<'_> {
-    fn parted(&self) -> PartedLeaf<'_> {
-        PartedLeaf {
-            points: self.points,
-            parts: self.parts,
-            shut: self.shut,
-            covered: self.covered,
-        }
-    }
-
-    fn at(&self, corners: [usize; 3]) -> [[f32; 3]; 3] {
-        corners.map(|corner| self.points[corner])
-    }
-
-    /// Whether any corner of each block has moved since it was looked at last; all that are now
-    /// count as looked at.
-    fn find_moved(&mut self) -> Vec<bool> {
-        let blocks = self.parts.blocks.iter();
-        let has_moved = |node: &usize| self.seen.get(*node) != Some(&self.points[*node]);
-        let moved = blocks.map(|block| {
-            let mut corners = self.parts.corners[block.corners.clone()].iter();
-            corners.any(has_moved)
-        });
-        let moved = moved.collect();
-        self.seen.clear();
-        self.seen.extend_from_slice(self.points);
-        moved
-    }
-
-    /// See [`DrawnParts::push`].
-    fn push<const N: usize>(
-        &mut self,
-        nodes: [usize; N],
-        weights: [f32; N],
-        normal: [f32; 3],
-        by: f32,
-    ) {
-        self.parts.push(self.points, (&nodes, &weights), normal, by);
-    }
-}
-
 /// Moves a leaf off another, once, in their order. Lengths are those of a page 0.14 m wide. Only what
 /// has moved since it was looked at last is looked at.
 pub fn push_off_leaf(
@@ -257,7 +82,7 @@ pub fn push_off_leaf(
     order: Order,
     work: &mut Work,
 ) -> Outcome {
-    let has_moved = own.find_moved();
+    let has_moved = own.parts.find_moved(own.points, own.seen);
     let scale = order.scale;
     let (over, under, has_covered) =
         find_pairs(&own.parted(), &has_moved, other, placed, order, work);
@@ -572,6 +397,8 @@ fn edges_through(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::contact::drawn_parts::DrawnParts;
+    use crate::contact::flap_order::FlapOrder;
     use crate::contact::separate_parts::{ROUNDS, tests::folded};
 
     const COLUMNS: usize = 9;

@@ -6,19 +6,19 @@
 //! projections as leaves are kept clear of each other by ([`separate`](super::separate)). Of two
 //! parts the one that is farther up moves, as the other lies on something.
 //!
-//! Few points overlap anything. So the triangles are gathered in blocks, and only those points are
-//! looked at that are near a block of another part and not on their side of all its triangles.
+//!
+//! Few points overlap anything: only those are looked at that are near a [block](super::drawn_parts)
+//! of another part and not on their side of all its triangles.
 
 use super::aabb::Aabb;
+use super::drawn_parts::{Block, DrawnParts, Pair};
 use super::flaps::Flaps;
+use super::slab::Slab;
 use super::tolerance::{DEEP, NOT_UPON, OVER_PILE, SLACK};
 use super::work::Work;
-use crate::grid::{cells, cut_cell};
-use crate::paper_mesh::PaperMesh;
 use crate::surface::Surface;
 use crate::triangle::{BESIDE, EdgePlace, Triangle, area_normal};
-use crate::vector::{dot, unit};
-use core::ops::Range;
+use crate::vector::dot;
 
 /// Rounds of projections, at most.
 pub const ROUNDS: usize = 4;
@@ -46,152 +46,6 @@ pub struct Rounds {
     pub edges: bool,
 }
 
-/// Cells along a side of a block of triangles that one box bounds.
-pub const BLOCK: usize = 3;
-
-/// The triangles of a folded leaf's drawn mesh, by the parts between its creases.
-#[derive(Clone, Debug, Default)]
-pub struct DrawnParts {
-    /// The block of each point; None for those on creases and at the spine.
-    points: Vec<Option<usize>>,
-    pub triangles: Vec<[usize; 3]>,
-    /// The points of the blocks, of one after the other.
-    pub corners: Vec<usize>,
-    /// The same without those at the spine, and each in one block alone.
-    pub own_points: Vec<usize>,
-    /// The edges of the blocks, each in one block alone, between two of its points by their places
-    /// among these.
-    pub edges: Vec<[u8; 2]>,
-    pub blocks: Vec<Block>,
-    /// What the points of the blocks may overlap, of one after the other.
-    pairs: Vec<Pair>,
-    /// Where the points were when they were looked at last; empty where they never were.
-    seen: Vec<[f32; 3]>,
-    columns: usize,
-}
-
-/// Triangles of one part that are near each other.
-#[derive(Clone, Debug)]
-pub struct Block {
-    pub part: u16,
-    /// Its triangles, and their points, each once.
-    pub triangles: Range<usize>,
-    pub corners: Range<usize>,
-    /// Its own points and edges: see [`DrawnParts::own_points`].
-    pub own_points: Range<usize>,
-    pub edges: Range<usize>,
-    /// The box around them now.
-    bounds: Aabb,
-    /// Where it lies between two planes; found where it is asked for.
-    slab: Option<Slab>,
-    /// The blocks that its points may overlap.
-    pairs: Range<usize>,
-}
-
-/// A block of another part that points may overlap, and on which side of it they lie, 1 that of
-/// its slab's normal or -1.
-#[derive(Clone, Copy, Debug)]
-struct Pair {
-    under: usize,
-    side: f32,
-    /// Whether they lie on the other side of triangles that do not face as their block does.
-    by_facing: bool,
-}
-
-/// Two parallel planes between which triangles lie, as far beyond their sides as points still
-/// count as over them.
-#[derive(Clone, Copy, Debug)]
-pub struct Slab {
-    /// The planes' unit normal: the mean of the triangles'.
-    pub normal: [f32; 3],
-    low: f32,
-    high: f32,
-    /// How far a point at most is along each axis from the triangle that it is one metre over.
-    lean: [f32; 3],
-    /// Whether all triangles face along the normal. What is outside of the slab is then at least
-    /// as far from each triangle that it is over.
-    is_even: bool,
-}
-
-impl Block {
-    /// Finds the box around its triangles.
-    fn bound(&mut self, points: &[[f32; 3]], corners: &[usize]) {
-        let corners = corners[self.corners.clone()].iter();
-        self.bounds = Aabb::around(corners.map(|node| points[*node]));
-        self.slab = None;
-    }
-
-    fn is_near(&self, bounds: &Aabb, within: f32) -> bool {
-        self.bounds.grown([within; 3]).overlaps(bounds)
-    }
-}
-
-impl Slab {
-    pub fn around(points: &[[f32; 3]], triangles: &[[usize; 3]]) -> Slab {
-        let normal_of = |corners: &[usize; 3]| area_normal(corners.map(|corner| points[corner]));
-        let normals = triangles.iter().map(normal_of);
-        let sum = normals.clone().fold([0.0; 3], |sum: [f32; 3], normal| {
-            core::array::from_fn(|axis| sum[axis] + normal[axis])
-        });
-        let normal = unit(sum);
-        let heights = triangles.as_flattened().iter();
-        let heights = heights.map(|node| dot(points[*node], normal));
-        // Compared by hand, as a library's least and most are slow.
-        let [low, high] = heights.fold([f32::MAX, f32::MIN], |[low, high], height| {
-            [
-                if height < low { height } else { low },
-                if height > high { height } else { high },
-            ]
-        });
-        // A corner's weight is up to twice as much beyond 1 as the others' are below 0.
-        let beyond = 2.0 * BESIDE * (high - low);
-        Slab {
-            normal,
-            low: low - beyond,
-            high: high + beyond,
-            lean: normals.clone().fold([0.0; 3], |lean: [f32; 3], normal| {
-                let normal = unit(normal).map(f32::abs);
-                core::array::from_fn(|i| {
-                    if lean[i] > normal[i] {
-                        lean[i]
-                    } else {
-                        normal[i]
-                    }
-                })
-            }),
-            is_even: normals.into_iter().all(|own| dot(own, normal) > 0.0),
-        }
-    }
-
-    /// How far a point is outside of it on a side, metres; less than 0 where it is not, or nothing
-    /// is known by that.
-    pub fn distance_of(&self, point: [f32; 3], side: f32) -> f32 {
-        if !self.is_even {
-            return f32::MIN;
-        }
-        side * dot(point, self.normal) - if side > 0.0 { self.high } else { -self.low }
-    }
-
-    /// How far a box is outside of it on a side, metres; less than 0 where it is not, or nothing
-    /// is known by that.
-    pub fn distance(&self, bounds: &Aabb, side: f32) -> f32 {
-        if !self.is_even {
-            return f32::MIN;
-        }
-        let along = |axis: usize| {
-            let normal = side * self.normal[axis];
-            let nearest = if normal > 0.0 {
-                bounds.low
-            } else {
-                bounds.high
-            };
-            normal * nearest[axis]
-        };
-        let nearest = along(0) + along(1) + along(2);
-        nearest - if side > 0.0 { self.high } else { -self.low }
-    }
-}
-
 /// Where a point is too low over a triangle of another part.
 struct Overlap {
     corners: [usize; 3],
@@ -203,124 +57,6 @@ struct Overlap {
 }
 
 impl DrawnParts {
-    /// Those of a mesh with so many columns and points, whose triangles each belong to a part.
-    pub fn new(columns: usize, count: usize, triangles: &[([usize; 3], u16)]) -> DrawnParts {
-        let mut points: Vec<Option<Option<u16>>> = vec![None; count];
-        for (corners, part) in triangles {
-            for corner in corners {
-                let own = points[*corner].get_or_insert(Some(*part));
-                if *own != Some(*part) {
-                    *own = None;
-                }
-            }
-        }
-        let block_of = |corners: &[usize; 3]| {
-            let [a, ..] = *corners;
-            (a / columns / BLOCK, a % columns / BLOCK)
-        };
-        let mut order: Vec<&([usize; 3], u16)> = triangles.iter().collect();
-        order.sort_by_key(|(corners, part)| (*part, block_of(corners)));
-        let mut blocks: Vec<Block> = Vec::new();
-        for (at, (corners, part)) in order.iter().enumerate() {
-            let goes_on = at > 0 && {
-                let (before, of) = order[at - 1];
-                of == part && block_of(before) == block_of(corners)
-            };
-            match blocks.last_mut() {
-                Some(block) if goes_on => block.triangles.end = at + 1,
-                _ => blocks.push(Block {
-                    part: *part,
-                    triangles: at..at + 1,
-                    corners: 0..0,
-                    own_points: 0..0,
-                    edges: 0..0,
-                    bounds: Aabb::EMPTY,
-                    slab: None,
-                    pairs: 0..0,
-                }),
-            }
-        }
-        let triangles: Vec<[usize; 3]> = order.into_iter().map(|(corners, _)| *corners).collect();
-        let mut corners = Vec::new();
-        let mut homes = vec![None; count];
-        let (mut own_points, mut edges) = (Vec::new(), Vec::new());
-        let mut is_taken = vec![false; count];
-        // Of each edge only one block's.
-        let mut is_known = vec![0u8; count];
-        for (number, block) in blocks.iter_mut().enumerate() {
-            let first = [own_points.len(), edges.len()];
-            let mut own = triangles[block.triangles.clone()].as_flattened().to_vec();
-            own.sort_unstable();
-            own.dedup();
-            let place = |node: usize| own.partition_point(|known| *known < node) as u8;
-            for &[a, b, c] in &triangles[block.triangles.clone()] {
-                for node in [a, b, c] {
-                    if !node.is_multiple_of(columns) && !is_taken[node] {
-                        is_taken[node] = true;
-                        own_points.push(node);
-                    }
-                }
-                for [p, q] in [[a, b], [b, c], [a, c]] {
-                    let [from, to] = [p.min(q), p.max(q)];
-                    // An edge leads a column on, or a row on and at most a column back or on.
-                    let way = match to - from {
-                        1 => 1,
-                        step => 2 << (step + 1 - columns),
-                    };
-                    if is_known[from] & way == 0 {
-                        is_known[from] |= way;
-                        edges.push([from, to].map(place));
-                    }
-                }
-            }
-            block.own_points = first[0]..own_points.len();
-            block.edges = first[1]..edges.len();
-            for corner in &own {
-                // The column at the spine is everyone's.
-                let is_free = !corner.is_multiple_of(columns);
-                if is_free && points[*corner].flatten() == Some(block.part) {
-                    homes[*corner] = Some(number);
-                }
-            }
-            block.corners = corners.len()..corners.len() + own.len();
-            corners.extend(own);
-        }
-        DrawnParts {
-            points: homes,
-            triangles,
-            corners,
-            own_points,
-            edges,
-            blocks,
-            pairs: Vec::new(),
-            seen: Vec::new(),
-            columns,
-        }
-    }
-
-    /// Those of a mesh with so many columns.
-    pub fn of(mesh: &PaperMesh, columns: usize) -> DrawnParts {
-        let triangles: Vec<_> = mesh.parted_triangles().collect();
-        DrawnParts::new(columns, mesh.places.len(), &triangles)
-    }
-
-    /// The one part of a whole leaf's mesh of so many columns and rows.
-    pub fn whole(columns: usize, rows: usize) -> DrawnParts {
-        let triangles = cells(columns, rows).flat_map(|foot| cut_cell(foot, columns, false));
-        let triangles: Vec<_> = triangles.map(|corners| (corners, 0)).collect();
-        DrawnParts::new(columns, columns * rows, &triangles)
-    }
-
-    /// Whether a point is bound at the spine.
-    pub fn is_bound(&self, node: usize) -> bool {
-        node.is_multiple_of(self.columns)
-    }
-
-    /// Forgets where the points were, as other creases are folded, or otherwise.
-    pub fn forget(&mut self) {
-        self.seen.clear();
-    }
-
     /// Moves the drawn parts of a folded leaf off each other, to the sides to which they are folded,
     /// in some rounds: see [`separate`](Self::separate).
     pub fn separate_flaps(
@@ -353,15 +89,17 @@ impl DrawnParts {
                 break;
             }
             moved = false;
-            let has_moved = self.find_moved(points);
+            let mut seen = core::mem::take(&mut self.seen);
+            let has_moved = self.find_moved(points, &mut seen);
+            self.seen = seen;
             if !has_moved.contains(&true) {
                 break;
             }
             self.find_pairs(points, scale, &has_moved, &side);
             let blocks = self.blocks.len() as u32;
             work.spend(BLOCKS * blocks * blocks + PAIR * self.pairs.len() as u32);
-            for node in 0..self.points.len() {
-                let Some(home) = self.points[node] else {
+            for node in 0..self.homes.len() {
+                let Some(home) = self.homes[node] else {
                     continue;
                 };
                 let mut under = None;
@@ -406,20 +144,6 @@ impl DrawnParts {
                 break;
             }
         }
-        moved
-    }
-
-    /// Whether any corner of each block has moved since it was looked at last; all that are now
-    /// count as looked at. What overlapped then was moved.
-    fn find_moved(&mut self, points: &[[f32; 3]]) -> Vec<bool> {
-        let has_moved = |node: &usize| self.seen.get(*node) != Some(&points[*node]);
-        let moved = self.blocks.iter().map(|block| {
-            let mut corners = self.corners[block.corners.clone()].iter();
-            corners.any(has_moved)
-        });
-        let moved = moved.collect();
-        self.seen.clear();
-        self.seen.extend_from_slice(points);
         moved
     }
 
@@ -620,6 +344,7 @@ fn overlap(
 #[cfg(test)]
 pub mod tests {
     use super::*;
+    use crate::grid::{cells, cut_cell};
 
     const COLUMNS: usize = 9;
     const ROWS: usize = 7;
@@ -660,30 +385,6 @@ pub mod tests {
         of.fold([f32::MAX, f32::MIN], |[low, high], (_, point)| {
             [low.min(point[2]), high.max(point[2])]
         })
-    }
-
-    /// Otherwise edges of one leaf go through triangles of another unseen, or are pushed twice.
-    #[test]
-    fn every_edge_of_a_mesh_is_in_one_block() {
-        let (columns, rows) = (9, 7);
-        let parts = DrawnParts::whole(columns, rows);
-        let of_block = |block: &Block| {
-            let corners = &parts.corners[block.corners.clone()];
-            let edges = parts.edges[block.edges.clone()].iter();
-            edges
-                .map(|edge| edge.map(|end| corners[usize::from(end)]))
-                .collect::<Vec<_>>()
-        };
-        let mut found: Vec<[usize; 2]> = parts.blocks.iter().flat_map(of_block).collect();
-        let sides = |&[a, b, c]: &[usize; 3]| [[a, b], [b, c], [a, c]];
-        let mut all: Vec<[usize; 2]> = parts.triangles.iter().flat_map(sides).collect();
-        for edge in found.iter_mut().chain(&mut all) {
-            edge.sort_unstable();
-        }
-        found.sort_unstable();
-        all.sort_unstable();
-        all.dedup();
-        assert_eq!(found, all);
     }
 
     #[test]

@@ -7,13 +7,13 @@ use crate::book::limits::NODES;
 use crate::book::phase::Phase;
 use crate::book::pile::Pile;
 use crate::book::shut_folds::Layers;
+use crate::contact::drawn_parts::DrawnParts;
 use crate::contact::flap_order::FlapOrder;
 use crate::contact::mesh::{Folds, Mesh};
+use crate::contact::parted_leaf::{MovedLeaf, Order, PartedLeaf, PlacedBlocks};
 use crate::contact::separate::{DrawnLeaf, is_rim, separate};
-use crate::contact::separate_folded::{
-    MovedLeaf, Order, Outcome, PartedLeaf, PlacedBlocks, push_off_leaf,
-};
-use crate::contact::separate_parts::{DrawnParts, ROUNDS, Rounds};
+use crate::contact::separate_folded::{Outcome, push_off_leaf};
+use crate::contact::separate_parts::{ROUNDS, Rounds};
 use crate::contact::work::Work;
 use crate::grid::Side;
 
