@@ -21,6 +21,7 @@ mod flat;
 mod folding_tests;
 mod grabs;
 mod grid_walk;
+mod held;
 mod hinge_angles;
 mod hinge_triangle;
 mod hinges;
@@ -28,6 +29,7 @@ mod lane_nodes;
 mod material;
 mod measure;
 mod membrane;
+mod nodes;
 mod patches;
 mod piece_outline;
 mod plates;
@@ -276,195 +278,6 @@ impl Sheet {
     /// The settings it was made of.
     pub fn settings(&self) -> &SheetSettings {
         &self.settings
-    }
-
-    /// Lays the sheet flat and still on a side, nothing holding it.
-    pub fn lay_flat(&mut self, side: Side) {
-        let nodes = self.positions.chunks_exact_mut(3);
-        for (x, [u, v]) in nodes.zip(&self.material.places) {
-            x.copy_from_slice(&[side.sign() * *u as f32, *v as f32, 0.0]);
-        }
-        self.velocities.fill(0.0);
-        self.grabs.clear();
-        let angle = match side {
-            Side::Right => 0.0,
-            Side::Left => core::f32::consts::PI,
-        };
-        self.set_clamp_angle(angle);
-        self.last_tangents.copy_from_slice(&self.tangents);
-    }
-
-    /// Where its nodes are when it lies flat on the right, x, y, z of each, metres.
-    pub(crate) fn flat_places(&self) -> Vec<f32> {
-        let places = self.material.places.iter();
-        places
-            .flat_map(|[u, v]| [*u as f32, *v as f32, 0.0])
-            .collect()
-    }
-
-    /// Sets the angle at which the sheet leaves the spine, radians: 0 level to
-    /// the right, pi level to the left.
-    pub fn set_clamp_angle(&mut self, angle: f32) {
-        let (sin, cos) = libm::sincosf(angle);
-        let [du, dv] = self.settings.cell().map(|cell| cell as f32);
-        let is_creased = self.creased().is_some();
-        for (row, tangent) in self.tangents.chunks_exact_mut(3).enumerate() {
-            let v = if is_creased {
-                self.material.places[row * self.settings.columns][1] as f32
-            } else {
-                row as f32 * dv
-            };
-            tangent.copy_from_slice(&[du * cos, v, du * sin]);
-        }
-    }
-
-    /// Positions of the nodes, metres: x, y, z of each, row by row from the
-    /// foot, each row from the spine to the fore-edge.
-    pub fn positions(&self) -> &[f32] {
-        &self.positions
-    }
-
-    /// Velocities of the nodes, m/s, as [`positions`](Self::positions).
-    pub fn velocities(&self) -> &[f32] {
-        &self.velocities
-    }
-
-    /// Kilograms of each node, without the air's.
-    pub(crate) fn masses(&self) -> &[f32] {
-        &self.mass
-    }
-
-    /// Moves every node: positions and velocities as
-    /// [`positions`](Self::positions).
-    ///
-    /// # Panics
-    /// If a slice is not three numbers a node long.
-    pub fn write_nodes(&mut self, positions: &[f32], velocities: &[f32]) {
-        self.positions.copy_from_slice(positions);
-        self.velocities.copy_from_slice(velocities);
-    }
-
-    /// Moves every node to a place and stills it: x, y, z of each, metres. The edges keep
-    /// their lengths, so it may come to lie a little beside it.
-    pub fn place(&mut self, positions: impl Iterator<Item = f32>) {
-        for (own, x) in self.positions.iter_mut().zip(positions) {
-            *own = x;
-        }
-        self.sweep.run(&mut self.positions, &[]);
-        self.velocities.fill(0.0);
-    }
-
-    /// Puts the nodes at `positions` (x, y, z of each, metres), where they were, and still.
-    pub(crate) fn put_back(&mut self, positions: &[f32]) {
-        self.positions.copy_from_slice(positions);
-        self.velocities.fill(0.0);
-    }
-
-    /// Multiplies every velocity by `part`.
-    pub fn slow(&mut self, part: f32) {
-        for v in &mut self.velocities {
-            *v *= part;
-        }
-    }
-
-    /// Positions and masses of the nodes, with the loads to be set according to them.
-    pub(crate) fn load_state(&mut self) -> (&[f32], &[f32], &mut [f32]) {
-        (&self.positions, &self.mass, &mut self.loads)
-    }
-
-    /// Positions and velocities of the nodes, to be changed.
-    pub(crate) fn states_mut(&mut self) -> [&mut [[f32; 3]]; 2] {
-        [&mut self.positions, &mut self.velocities].map(|values| values.as_chunks_mut::<3>().0)
-    }
-
-    /// Positions, with the contacts to be set according to them.
-    pub(crate) fn contact_state(&mut self) -> (&[f32], &mut [[Contact; CONTACTS]]) {
-        (&self.positions, &mut self.contacts)
-    }
-
-    /// Forces on the nodes beside weight and air, N: x, y, z of each. They stay
-    /// until changed.
-    pub fn loads_mut(&mut self) -> &mut [f32] {
-        &mut self.loads
-    }
-
-    /// What each node must not pass through, to be set before a step. It stays
-    /// until changed.
-    pub fn contacts_mut(&mut self) -> &mut [[Contact; CONTACTS]] {
-        &mut self.contacts
-    }
-
-    /// Holds a node at a place, metres, or lets it go (None).
-    ///
-    /// # Panics
-    /// If there is no such node.
-    pub fn pin(&mut self, column: usize, row: usize, place: Option<[f32; 3]>) {
-        let node = row * self.settings.columns + column;
-        self.pins[node] = place;
-        self.sweep.release(&self.settings, &self.material, node);
-        if place.is_some() {
-            self.sweep.hold(node);
-        }
-    }
-
-    /// A grab takes hold at (`u`, `v`), each 0 to 1 or the nearer of these; one of the same number
-    /// lets go of what it held.
-    pub fn grab(&mut self, grab: u32, u: f32, v: f32) {
-        self.release(grab);
-        if u.is_finite() && v.is_finite() {
-            let at = self.in_frame([u, v]);
-            let (settings, material) = (&self.settings, &self.material);
-            let grab = Grab::new(grab, at, settings, material, &self.positions);
-            self.grabs.push(grab);
-        }
-    }
-
-    /// Lets a grab that has just taken hold move at its full speed at once: one whose way is smooth
-    /// jerks at nothing.
-    pub(crate) fn hasten(&mut self, grab: u32) {
-        if let Some(grab) = self.grabs.iter_mut().find(|own| own.id == grab) {
-            grab.hasten();
-        }
-    }
-
-    /// As [`grab`](Self::grab), with so much stiffness, N/m, and at most such a force, N: what
-    /// is tied by [tethers](Tether) may be torn from them.
-    pub(crate) fn grab_firmly(
-        &mut self,
-        grab: u32,
-        [u, v]: [f32; 2],
-        [stiffness, strength]: [f32; 2],
-    ) {
-        self.grab(grab, u, v);
-        if let Some(at) = self.grabs.iter().position(|known| known.id == grab) {
-            let firm = self.grabs.remove(at).pulling(stiffness, strength);
-            self.grabs.push(firm);
-        }
-    }
-
-    /// The springs that tie nodes to places, to be added and removed.
-    pub(crate) fn tethers_mut(&mut self) -> &mut Vec<Tether> {
-        &mut self.tethers
-    }
-
-    /// A grab pulls what it holds to a place, metres. Nothing happens where it
-    /// holds nothing or the place is no number.
-    pub fn pull(&mut self, grab: u32, to: [f32; 3]) {
-        if let Some(grab) = self.grabs.iter_mut().find(|known| known.id == grab) {
-            grab.pull(to);
-        }
-    }
-
-    /// A grab lets go.
-    pub fn release(&mut self, grab: u32) {
-        self.grabs.retain(|known| known.id != grab);
-    }
-
-    /// Where the place that a grab holds is now, metres; None where it holds
-    /// nothing.
-    pub fn held_place(&self, grab: u32) -> Option<[f32; 3]> {
-        let grab = self.grabs.iter().find(|known| known.id == grab)?;
-        Some(grab.held_place(&self.positions))
     }
 
     /// Draws at the values `u` and `v` (each rising and within 0 to 1).
