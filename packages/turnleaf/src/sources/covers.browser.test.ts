@@ -1,7 +1,8 @@
 import { strToU8, zipSync } from "fflate";
-import { afterEach, describe, expect, test } from "vitest";
+import { afterEach, describe, expect, test, vi } from "vitest";
 import { prose, tinyEpub } from "./epub/tiny_epub.ts";
 import { tinyFb2 } from "./fb2/tiny_fb2.ts";
+import { limits } from "./limits.ts";
 import { openSource } from "./open.ts";
 import type { PagePicture, PageSource } from "./page_source.ts";
 import { tinyPdf } from "./tiny_pdf.ts";
@@ -149,6 +150,8 @@ test("a FictionBook without a cover page is stamped", async () => {
 });
 
 describe("a PDF", () => {
+  afterEach(() => vi.restoreAllMocks());
+
   const red = "1 0 0 rg 0 0 200 300 re f";
   const article = "0 0 0 rg 40 40 120 220 re f";
 
@@ -161,6 +164,26 @@ describe("a PDF", () => {
   test("whose first page has margins is a document", async () => {
     const source = await open(tinyPdf({ pages: [article, red, article] }), "a.pdf");
     expect(source.cover).toBe("none");
+  });
+
+  test("has the same cover on a machine so busy that every time that it may take is over at once", async () => {
+    const { timeout } = AbortSignal;
+    // Looks at what a worker does, which count as much as it gets of a processor, go on.
+    vi.spyOn(AbortSignal, "timeout").mockImplementation((time) =>
+      time === limits.pdfTime / 12 ? timeout.call(AbortSignal, time) : AbortSignal.abort(),
+    );
+    const source = await open(tinyPdf({ pages: [red, article] }), "a.pdf");
+    expect(source.cover).toBe(undefined);
+  });
+
+  test.each([
+    [25_000, undefined],
+    [35_000, "none"],
+  ])("whose first page is drawn in %i steps has the cover %s", async (steps, cover) => {
+    const first = `${red}\n${"0 0 m S\n".repeat(steps / 2)}`;
+    const source = await open(tinyPdf({ pages: [first, article] }), "a.pdf");
+    expect(source.cover).toBe(cover);
+    expect(await coloursAt(source, 0, edges)).toEqual(Array(4).fill("255,0,0"));
   });
 });
 

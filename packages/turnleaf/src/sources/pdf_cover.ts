@@ -5,8 +5,11 @@ import type { PageSize } from "./page_source.ts";
 /** Pixels across a page in which its edges are looked at. */
 export const coverPixels = 48;
 
-/** How long its picture may take, milliseconds: nothing else is shown meanwhile. */
-export const coverTime = 1000;
+/**
+ * Steps of drawing that its picture may take. Counted, as a clock would find a cover on an idle machine
+ * and none on a busy one, and so bind one book in two ways.
+ */
+export const coverSteps = 30_000;
 
 /** The least of red, green and blue of paper, as it is printed on and as scanners see it: 0 to 255. */
 const paper = 200;

@@ -7,8 +7,7 @@ import { orAborted } from "./shared_tasks.ts";
 
 /**
  * The part of its time that something may take beside other things. Which of them stalls the worker is not
- * known: they are tried again one by one. Both times, and that in which a cover is looked for, are a
- * reader's wait for a page that cannot be drawn.
+ * known: they are tried again one by one. Both times are a reader's wait for a page that cannot be drawn.
  */
 const sharedPart = 1 / 3;
 

@@ -19,7 +19,7 @@ import {
 } from "./page_source.ts";
 import { altOfPage } from "./pdf_alt.ts";
 import { linksOfPage, PdfForm } from "./pdf_annotations.ts";
-import { coverPixels, coverTime, isCover } from "./pdf_cover.ts";
+import { coverPixels, coverSteps, isCover } from "./pdf_cover.ts";
 import {
   isDamage,
   isTooMuch,
@@ -103,16 +103,22 @@ export class PdfSource implements PageSource {
   }
 
   /**
-   * Looks whether the first page is a cover, at the cost of a small picture of it; one that takes longer
-   * than a reader waits for a book to open is none. Rejects with the signal's reason.
+   * Looks whether the first page is a cover, at the cost of a small picture of it. One that takes more
+   * than `coverSteps` is none, and one that stalls the worker is tried no more. Rejects with the signal's
+   * reason.
    */
   async findCover(signal: AbortSignal): Promise<void> {
     if (this.pageCount < 2) return;
-    const inTime = AbortSignal.any([signal, AbortSignal.timeout(coverTime)]);
+    const tooMany = new AbortController();
+    const draw = async ({ document, ended, thread }: OpenPdf): Promise<ImageBitmap> => {
+      const unwanted = AbortSignal.any([signal, ended, tooMany.signal]);
+      const page = await document.getPage(1);
+      const drawing = this.#render(page, 0, coverPixels, wholePage, unwanted);
+      return await thread.countSteps(drawing, coverSteps, () => tooMany.abort());
+    };
     try {
-      const small = await this.#read(0, "cover", inTime, (page, ended) =>
-        this.#render(page, 0, coverPixels, wholePage, ended),
-      );
+      // By the name of all of the page: whatever else is read of it would stall the worker once more.
+      const small = await this.#reader.run("page 0", draw, signal);
       const { width, height } = small;
       const pen = new OffscreenCanvas(width, height).getContext("2d");
       pen?.drawImage(small, 0, 0);

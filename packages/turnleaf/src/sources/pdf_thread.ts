@@ -59,6 +59,7 @@ export class PdfThread {
   readonly #fraction: Pick<ProcessorFraction, "measure" | "stop">;
   /** Steps of drawing that have come, by their list. */
   readonly #steps = new Map<unknown, number>();
+  #stepLimit: { readonly most: number; readonly onMore: () => void } | null = null;
   #hasStarted = false;
   #isWatched = false;
   #failure: Error | null = null;
@@ -149,6 +150,20 @@ export class PdfThread {
     });
   }
 
+  /**
+   * Calls `onMore` whenever a drawing has more than `most` steps, while `promise` is pending. Resolves or
+   * rejects as that does.
+   */
+  async countSteps<T>(promise: Promise<T>, most: number, onMore: () => void): Promise<T> {
+    const limit = { most, onMore };
+    this.#stepLimit = limit;
+    try {
+      return await promise;
+    } finally {
+      if (this.#stepLimit === limit) this.#stepLimit = null;
+    }
+  }
+
   /** Rejects every promise that is pending, and those to come: what the worker sends is no longer awaited. */
   giveUp(reason: Error): void {
     this.#fail(reason, true);
@@ -219,6 +234,7 @@ export class PdfThread {
       this.stop();
       return false;
     }
+    if (this.#stepLimit !== null && steps > this.#stepLimit.most) this.#stepLimit.onMore();
     if (chunk.lastChunk === true) this.#steps.delete(streamId);
     else this.#steps.set(streamId, steps);
     return true;
