@@ -31,9 +31,6 @@ interface FilmRequest {
 /** Interval of the polls whether the pages are drawn, milliseconds. */
 const look = 20;
 
-/** How often in a row a frame is asked for, while no time passes, by something that moves. */
-const steady = 3;
-
 /** Maximum time, milliseconds, in which what an action needs is loaded or drawn. */
 const patience = 60_000;
 
@@ -150,9 +147,10 @@ class Film {
     clock.pass(this.#frame, isSeen);
     // Promises that waited for the end of the motion resolve.
     await new Promise((resolve) => setTimeout(resolve));
-    if (this.#isPending && !clock.isAsked) return await this.#isMoving();
+    const isMoving = clock.isMoving();
+    if (this.#isPending && !isMoving) return await this.#isMoving();
     this.#throwFailure();
-    return this.#isPending || clock.isAsked;
+    return isMoving;
   }
 
   /** Does an action again that is in the film already. */
@@ -170,16 +168,15 @@ class Film {
    */
   async #isMoving(): Promise<boolean> {
     const end = Date.now() + patience;
-    for (let count = 0; this.#isPending && count < steady; ) {
+    while (this.#isPending && !clock.isMoving()) {
       if (Date.now() > end) throw new Error("What an action needs was not loaded within a minute.");
-      count = clock.isAsked ? count + 1 : 0;
-      if (clock.isAsked) clock.stand(false);
       await new Promise((resolve) => setTimeout(resolve, look));
     }
     this.#throwFailure();
+    const isMoving = clock.isMoving();
     // The first frame of a motion has no time: it is this one, whatever came before it.
-    if (clock.isAsked) clock.stand(true);
-    return this.#isPending || clock.isAsked;
+    if (isMoving) clock.stand(true);
+    return isMoving;
   }
 
   #throwFailure(): void {

@@ -7,6 +7,9 @@
 /** Maximum time between frames, milliseconds: at more, the viewer would lower its quality. */
 const longest = 1000 / 50;
 
+/** How often in a row a frame is asked for, while no time passes, by something that moves. */
+const steady = 3;
+
 /** The page's animation frames, under the film's control. */
 export class FilmClock {
   #waiting = new Map<number, FrameRequestCallback>();
@@ -72,6 +75,15 @@ export class FilmClock {
   stand(isSeen: boolean): void {
     this.isSkipped = !isSeen;
     this.#call();
+  }
+
+  /**
+   * Returns whether anything moves, and not only asks for a frame: so does a page whose picture has come,
+   * sooner or later on every machine. No time passes, and a frame at rest is drawn.
+   */
+  isMoving(): boolean {
+    for (let count = 0; count < steady && this.isAsked; count++) this.stand(false);
+    return this.isAsked;
   }
 
   #call(): void {
