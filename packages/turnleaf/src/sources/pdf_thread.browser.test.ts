@@ -1,7 +1,7 @@
 import { afterEach, expect, test, vi } from "vitest";
 import { eventually } from "../for_tests/eventually.ts";
 import { limits } from "./limits.ts";
-import { loadPdfLibrary, type PdfLibrary } from "./pdf_runtime.ts";
+import { blobWorker, loadPdfLibrary, type PdfLibrary } from "./pdf_runtime.ts";
 import { PdfThread, WorkerStalled } from "./pdf_thread.ts";
 import { ProcessorFraction } from "./processor_fraction.ts";
 import { tinyPdf } from "./tiny_pdf.ts";
@@ -72,6 +72,28 @@ test.each([
     }
   },
 );
+
+test("a worker of the page's own site has its time measured by that file, not by a blob", async () => {
+  const { pdfTime } = limits;
+  const address = `${await blobWorker()}#`;
+  const started: string[] = [];
+  class NotedWorker extends Worker {
+    constructor(...how: ConstructorParameters<typeof Worker>) {
+      super(...how);
+      started.push(String(how[0]));
+    }
+  }
+  vi.stubGlobal("Worker", NotedWorker);
+  const thread = await PdfThread.start(loadPdfLibrary(), address);
+  Object.assign(limits, { pdfTime: 24 });
+  try {
+    await expect(thread.orFailed(new Promise(() => {}))).rejects.toBeInstanceOf(WorkerStalled);
+    expect(started).toEqual([address, `${address}#fraction`]);
+  } finally {
+    Object.assign(limits, { pdfTime });
+    thread.stop();
+  }
+});
 
 test("the fraction of a processor that a worker gets is the time that its clock does not jump over", async () => {
   /** A worker whose clock jumps over five eighths of the time. */

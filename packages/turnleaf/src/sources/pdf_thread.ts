@@ -102,7 +102,7 @@ export class PdfThread {
   static async start(
     library: Promise<PdfLibrary>,
     address?: string,
-    fraction: Pick<ProcessorFraction, "measure" | "stop"> = new ProcessorFraction(),
+    fraction: Pick<ProcessorFraction, "measure" | "stop"> = new ProcessorFraction(address),
   ): Promise<PdfThread> {
     const script = address ?? (await blobWorker());
     let thread: PdfThread;

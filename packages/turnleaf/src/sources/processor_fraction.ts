@@ -1,5 +1,6 @@
 /** How much of a processor's time a worker gets, beside all else that runs on the machine. */
 
+import { measureFraction } from "./measure_fraction.ts";
 import { trustedScript } from "./trusted_script.ts";
 import { scriptAddress } from "./worker_script.ts";
 
@@ -9,32 +10,27 @@ const leastFraction = 1 / 4;
 /** Milliseconds after which a worker that has not measured gets the least. */
 const patience = 2000;
 
-/**
- * The script of the worker that measures it: for 50 ms it does nothing but read the clock. Where readings are
- * further apart than 2 ms, more than any clock's step, something else ran meanwhile.
- */
-const script = `onmessage = () => {
-  const start = performance.now();
-  let [last, paused] = [start, 0];
-  while (last - start < 50) {
-    const now = performance.now();
-    if (now - last > 2) paused += now - last;
-    last = now;
-  }
-  postMessage(1 - paused / (last - start));
-};`;
+/** What a worker from a blob runs, and one from the package's file pdf-worker.js. */
+const script = `onmessage = () => postMessage((${measureFraction})());`;
 
 /** Measures it in a worker of its own, which starts when it is first needed. */
 export class ProcessorFraction {
+  readonly #address: string | undefined;
   #worker: Promise<Worker> | null = null;
+
+  /** @param address of the package's file pdf-worker.js, for pages whose policy forbids workers from blobs */
+  constructor(address?: string) {
+    this.#address = address;
+  }
 
   /** Returns the fraction of a processor that a worker gets now, 1/4 to 1; 1 if the browser starts no worker. */
   async measure(): Promise<number> {
     try {
-      this.#worker ??= start();
+      this.#worker ??= start(this.#address);
       const worker = await this.#worker;
       const fraction = await new Promise<number>((resolve, reject) => {
-        worker.onmessage = ({ data }) => resolve(Number(data));
+        // The file of another version may send something else.
+        worker.onmessage = ({ data }) => resolve(typeof data === "number" ? data : 1);
         worker.onerror = (event) => {
           event.preventDefault();
           reject(new Error("It did not start."));
@@ -55,7 +51,7 @@ export class ProcessorFraction {
   }
 }
 
-async function start(): Promise<Worker> {
-  const address = await scriptAddress(new TextEncoder().encode(script));
-  return new Worker(trustedScript(address));
+async function start(file?: string): Promise<Worker> {
+  if (file !== undefined) return new Worker(trustedScript(`${file}#fraction`), { type: "module" });
+  return new Worker(trustedScript(await scriptAddress(new TextEncoder().encode(script))));
 }
