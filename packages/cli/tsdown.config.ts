@@ -1,4 +1,5 @@
 import { defineConfig } from "tsdown";
+import { wholePageTree } from "../turnleaf/whole_page_tree.js";
 
 /** The command, with all its dependencies inside: installing it installs nothing else. */
 export default defineConfig({
@@ -11,5 +12,6 @@ export default defineConfig({
   fixedExtension: false,
   // Of all that the viewer has within it; the command has no more.
   copy: [{ from: "../turnleaf/dist/licenses.txt", to: "dist" }],
+  plugins: [wholePageTree()],
   deps: { onlyBundle: ["image-size", "pdfjs-dist", "turnleaf"] },
 });

@@ -2,6 +2,7 @@ import { readdir, readFile, stat } from "node:fs/promises";
 import { createRequire } from "node:module";
 import { dirname, join } from "node:path";
 import { gzipSync } from "node:zlib";
+import { readingWorker, withWholePageTree } from "./whole_page_tree.js";
 
 const prefix = "packed:";
 const suffix = ".packed";
@@ -28,7 +29,7 @@ export function packedFiles() {
       const path = packedFile(id);
       if (path === null) return null;
       const isFolder = (await stat(path)).isDirectory();
-      const bytes = isFolder ? await packFolder(path) : await readFile(path);
+      const bytes = isFolder ? await packFolder(path) : await readWhole(path);
       const base64 = gzipSync(bytes, { level: 9 }).toString("base64");
       return { code: `export default ${JSON.stringify(base64)};`, moduleType: "js", map: null };
     },
@@ -45,6 +46,12 @@ export function packedFile(id) {
 function locate(path) {
   const [, name, rest] = /^((?:@[^/]+\/)?[^/]+)\/?(.*)$/.exec(path);
   return join(dirname(require.resolve(`${name}/package.json`)), rest);
+}
+
+/** Returns a file as the package has it; pdf.js's worker as it finds all pages. */
+async function readWhole(path) {
+  const bytes = await readFile(path);
+  return path.endsWith(readingWorker) ? withWholePageTree(bytes.toString()) : bytes;
 }
 
 async function packFolder(folder) {

@@ -6,6 +6,7 @@ import { slimShaders } from "./slim_shaders.js";
 import { copyMark, threeInside } from "./three_inside.js";
 import { turnInline } from "./turn_inline.js";
 import { wasmInline } from "./wasm_inline.js";
+import { wholePageTree } from "./whole_page_tree.js";
 import { workerInline } from "./worker_inline.js";
 
 const common = {
@@ -188,13 +189,14 @@ const svelte = defineConfig({
   }),
 });
 
-/** One file, for sites that serve it themselves: pdf.js's workers as they come. */
+/** One file, for sites that serve it themselves: pdf.js's workers. */
 const pdfWorker = defineConfig({
   ...common,
   entry: { "pdf-worker": "pdf_worker.js" },
   clean: false,
   dts: false,
   sourcemap: false,
+  plugins: [wholePageTree()],
   deps: { onlyBundle: ["pdfjs-dist"] },
   outputOptions: { codeSplitting: false },
 });

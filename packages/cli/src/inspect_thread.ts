@@ -21,7 +21,7 @@ function completeNode(): void {
 async function inspect(file: string): Promise<PdfFinding | null> {
   completeNode();
   // The worker's code first: pdf.js then reads in this thread instead of starting another.
-  await import("pdfjs-dist/legacy/build/pdf.worker.mjs");
+  await import("pdfjs-dist/legacy/build/pdf.worker.min.mjs");
   const pdfjs = await import("pdfjs-dist/legacy/build/pdf.mjs");
   const descriptor = openSync(file, "r");
   const { size } = fstatSync(descriptor);

@@ -166,6 +166,42 @@ test.each(Object.keys(broken))("a PDF with %s", async (what) => {
   await expectQuiet();
 });
 
+/** Trees of the pages "One" to "Three", and what is on their pages; null for one that says that it is damaged. */
+const trees: readonly (readonly [string, readonly (string | null)[]])[] = [
+  ["/Count 0 /Kids [10 0 R 12 0 R 14 0 R]", ["One", "Two", "Three"]],
+  ["/Count -3 /Kids [10 0 R 12 0 R 14 0 R]", ["One", "Two", "Three"]],
+  ["/Count 1 /Kids [10 0 R 12 0 R 14 0 R]", ["One", "Two", "Three"]],
+  ["/Count 2 /Kids [10 0 R 12 0 R 14 0 R]", ["One", "Two", "Three"]],
+  ["/Count 9 /Kids [10 0 R 12 0 R 14 0 R]", ["One", "Two", "Three"]],
+  ["/Count 3 /Kids [10 0 R 99 0 R 14 0 R]", ["One", null, "Three"]],
+  ["/Count 3 /Kids [10 0 R null 14 0 R]", ["One", null, "Three"]],
+  ["/Count 3 /Kids [10 0 R 13 0 R 14 0 R]", ["One", null, "Three"]],
+  ["/Count 3 /Kids [99 0 R 12 0 R 14 0 R]", [null, "Two", "Three"]],
+  ["/Count 9 /Kids [10 0 R 10 0 R 14 0 R]", ["One", "One", "Three"]],
+  ["/Count 9 /Kids [10 0 R << /Type /Pages /Kids 3 0 R >> 14 0 R]", ["One", null, "Three"]],
+];
+
+test.each(trees)("the tree of pages %s has its pages", async (tree, expected) => {
+  const words = ["One", "Two", "Three"];
+  const pages = words.map((word) => `BT /F1 16 Tf 30 230 Td (${word}) Tj ET`);
+  const source = await openSource(tinyPdf({ pages, resources: helvetica, tree }));
+  const texts = Array.from({ length: source.pageCount }, async (_, k) => {
+    const runs = await source.text?.(k, never).catch((error: BookError) => error);
+    if (!Array.isArray(runs)) return (runs as BookError).code === "damaged" ? null : runs;
+    return runs.map(({ text }) => text).join("");
+  });
+  expect(await Promise.all(texts)).toEqual(expected);
+  source.close();
+});
+
+test.each(["/Count 7 /Kids []", "/Count 0", "/Count 0 /Kids []"])(
+  "the tree of pages %s has none",
+  async (tree) => {
+    const sentence = await messageOf(openSource(new File([tinyPdf({ pages: [], tree })], "a.pdf")));
+    expect(sentence).toBe("a.pdf has no pages; choose another file.");
+  },
+);
+
 /** What stalls a page, or the opening of the book. */
 const stalling: Readonly<Record<string, "page" | "book">> = {
   "forms tenfold nested": "page",

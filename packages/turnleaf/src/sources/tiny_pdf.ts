@@ -11,6 +11,8 @@ export interface TinyPdf {
   /** Entries of the document's information. */
   readonly info?: string;
   readonly mediaBox?: string;
+  /** Entries of the tree of pages, which are the objects 10, 12 and so on, or come after `objects`. */
+  readonly tree?: string;
   /** Entries of each page, which may have other contents. */
   readonly entries?: readonly string[];
 }
@@ -21,7 +23,7 @@ export function tinyPdf(pdf: TinyPdf): Uint8Array<ArrayBuffer> {
   const kids = pdf.pages.map((_, i) => `${first + 2 * i} 0 R`).join(" ");
   const objects = new Map<number, string>([
     [1, `<< /Type /Catalog /Pages 2 0 R ${pdf.catalog ?? ""} >>`],
-    [2, `<< /Type /Pages /Count ${pdf.pages.length} /Kids [${kids}] >>`],
+    [2, `<< /Type /Pages ${pdf.tree ?? `/Count ${pdf.pages.length} /Kids [${kids}]`} >>`],
     [3, `<< ${pdf.info ?? ""} >>`],
   ]);
   pdf.objects?.forEach((object, i) => {
