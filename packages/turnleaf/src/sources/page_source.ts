@@ -477,6 +477,7 @@ export type BookWarningCode =
   | "embedded"
   | "font"
   | "image"
+  | "link"
   | "medium"
   | "note"
   | "page"

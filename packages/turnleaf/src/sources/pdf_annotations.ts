@@ -2,7 +2,7 @@ import type { PDFDocumentProxy, PDFPageProxy } from "pdfjs-dist";
 import { cleanText } from "./book_text.ts";
 import { isPageBox, limits } from "./limits.ts";
 import type { PageBox, PageField, PageLink } from "./page_source.ts";
-import type { PdfTargets } from "./pdf_targets.ts";
+import { isTurn, type PdfTargets } from "./pdf_targets.ts";
 
 /** The properties of a pdf.js annotation used here; a file can contain anything. */
 export interface Annotation {
@@ -17,6 +17,9 @@ export interface Annotation {
   readonly richMedia?: { readonly filename?: string };
   readonly rect: readonly number[];
   readonly url?: string | null;
+  /** The address as the file has it, and the words that lie under the annotation. */
+  readonly unsafeUrl?: string | null;
+  readonly overlaidText?: string;
   readonly dest?: unknown;
   readonly action?: string | null;
   readonly contentsObj?: { readonly str?: string };
@@ -26,6 +29,7 @@ export interface Annotation {
   readonly fieldName?: string;
   readonly fieldValue?: unknown;
   readonly alternativeText?: string;
+  readonly pushButton?: boolean;
   readonly checkBox?: boolean;
   readonly radioButton?: boolean;
   readonly password?: boolean;
@@ -37,15 +41,39 @@ export interface Annotation {
   readonly maxLen?: number;
 }
 
-/** Returns the links of a page. Rejects as pdf.js does. */
-export async function linksOfPage(page: PDFPageProxy, targets: PdfTargets): Promise<PageLink[]> {
-  const links = await annotationsOf(page, (one) => one.subtype === "Link");
-  const found = links.map(async (one): Promise<PageLink | null> => {
+/** Flags of an annotation that is not seen: hidden, and printed alone. */
+const unseen = 0x02 | 0x20;
+
+/** Returns whether an annotation is seen on the screen. */
+export const isSeen = ({ annotationFlags = 0 }: Annotation): boolean =>
+  (annotationFlags & unseen) === 0;
+
+/** The links of a page, and what those are called that lead nowhere. */
+interface FoundLinks {
+  readonly links: readonly PageLink[];
+  readonly lost: readonly string[];
+}
+
+/** Returns the links of a page, buttons that lead somewhere too. Rejects as pdf.js does. */
+export async function linksOfPage(page: PDFPageProxy, targets: PdfTargets): Promise<FoundLinks> {
+  const isLink = ({ subtype, pushButton }: Annotation) => subtype === "Link" || pushButton === true;
+  const all = await annotationsOf(page, (one) => isSeen(one) && isLink(one));
+  const lost: string[] = [];
+  const found = all.map(async (one): Promise<PageLink | null> => {
     const to = await targets.of(one, page.pageNumber);
     const box = boxOf(page, one);
-    return to && box && { ...box, title: cleanText(one.contentsObj?.str), to };
+    if (box && !to && !isTurn(one.action)) lost.push(calledOf(one));
+    return (
+      to && box && { ...box, title: cleanText(one.contentsObj?.str || one.alternativeText), to }
+    );
   });
-  return (await Promise.all(found)).filter((link) => link !== null);
+  return { links: (await Promise.all(found)).filter((link) => link !== null), lost };
+}
+
+/** Returns what a link is called: by itself, by the words under it, or by what it asks for. */
+function calledOf(one: Annotation): string {
+  const names = [one.contentsObj?.str, one.alternativeText, one.overlaidText, one.unsafeUrl];
+  return [...names, one.action].map((name) => cleanText(name)).find((name) => name !== "") ?? "";
 }
 
 /** The values of a document's fields, kept where pdf.js draws and saves them from. */

@@ -4,16 +4,13 @@ import type { PDFPageProxy } from "pdfjs-dist";
 import { cleanText } from "./book_text.ts";
 import { limits } from "./limits.ts";
 import type { PageLink } from "./page_source.ts";
-import { type Annotation, annotationsOf, boxOf } from "./pdf_annotations.ts";
+import { type Annotation, annotationsOf, boxOf, isSeen } from "./pdf_annotations.ts";
 
 /** Marks whose text is read beside them. */
 const withText = /^(Text|Stamp|Caret|FileAttachment)$/;
 
 /** Sounds, films and models, which are not played. */
 const played = /^(Sound|Movie|Screen|RichMedia|3D)$/;
-
-/** Flags of an annotation that is not seen. */
-const unseen = 0x02 | 0x20;
 
 /** A side of the sign of a note, as programs draw it, points. */
 const signSize = 22;
@@ -105,8 +102,6 @@ function drawStamp(
 
 const isMark = ({ subtype = "", inReplyTo }: Annotation): boolean =>
   withText.test(subtype) && !inReplyTo;
-
-const isSeen = ({ annotationFlags = 0 }: Annotation): boolean => (annotationFlags & unseen) === 0;
 
 /** Returns what a mark says, or the name of the file that it is. */
 function textOf({ contentsObj, file }: Annotation): string {

@@ -175,6 +175,75 @@ describe("a PDF's links and contents", () => {
     });
   });
 
+  it("that lead nowhere are listed, by the words under them or what they ask for", async () => {
+    const actions = [
+      "/S /GoToR /F (other.pdf) /D [0 /Fit]",
+      "/S /Launch /F (calc.exe)",
+      "/S /JavaScript /JS (app.alert\\(1\\)) >> /Contents (Ask) /Ignored <<",
+      "/S /SubmitForm /F (https://example.org/)",
+      "/S /ImportData /F (a.fdf)",
+      "/S /ResetForm",
+      "/S /Named /N /Print",
+      "/S /GoToE /T << /R /C /N (a.pdf) >>",
+      "/S /Thread /D 0",
+      "/S /Rendition",
+      "/S /URI /URI (file:///etc/passwd)",
+      "/S /GoTo /D (none)",
+    ];
+    const links = actions.map((action) => link(`/A << ${action} >>`));
+    const named = link("/A << /S /Thread /D 0 >>", "[20 225 120 250]");
+    const source = await open(
+      annotated([...links, named, link("/A << /S /Named /N /PrevPage >>")], {
+        pages: [say("Thread", "1 0 0 1 30 230")],
+        resources: `${fonts} >> /Annots [${[...links, named].join(" ")}] /Ignored <<`,
+      }),
+    );
+    expect(await source.links!(0, never)).toEqual([]);
+    const nowhere = "a link on a page of book.pdf, leads nowhere in it.";
+    expect(source.warnings).toEqual(
+      [
+        'other.pdf#[0,{"name":"Fit"}]',
+        "calc.exe",
+        "Ask",
+        "–",
+        "Print",
+        "file:///etc/passwd",
+        "Thread",
+      ].map((name) => ({ code: "link", message: `${name}, ${nowhere}`, source: name, page: 1 })),
+    );
+  });
+
+  it("that are hidden, or for print alone, are none", async () => {
+    const flags = [2, 32, 4, 64];
+    const links = flags.map((flag) => link(`/F ${flag} /Contents (${flag}) /Dest [0 /Fit]`));
+    const source = await open(annotated([...links, link("/F 2 /A << /S /Thread >>")]));
+    expect((await source.links!(0, never)).map(({ title }) => title)).toEqual(["4", "64"]);
+    expect(source.warnings).toEqual([]);
+  });
+
+  it("are buttons of a form too, and turn pages by name", async () => {
+    const button = (action: string): string =>
+      `<< /Type /Annot /Subtype /Widget /FT /Btn /Ff 65536 /T (b) /TU (Go) /Rect [10 20 60 40] /A << ${action} >> >>`;
+    const names = ["FirstPage", "PrevPage", "NextPage", "LastPage"];
+    const source = await open(
+      annotated([
+        button("/S /URI /URI (https://example.org/)"),
+        ...names.map((name) => button(`/S /Named /N /${name}`)),
+        button("/S /ResetForm"),
+      ]),
+    );
+    const links = await source.links!(1, never);
+    expect(links.map(({ title, to }) => [title, to])).toEqual([
+      ["Go", { href: "https://example.org/" }],
+      ...[1, 1, 3, 3].map((page) => ["Go", { page }]),
+    ]);
+    expect(source.warnings?.map(({ source }) => source)).toEqual(["Go"]);
+    expect((await source.links!(0, never)).map(({ to }) => to)).toEqual([
+      { href: "https://example.org/" },
+      ...[1, 2, 3].map((page) => ({ page })),
+    ]);
+  });
+
   it("stand in an outline with its levels", async () => {
     const source = await open({
       pages: ["", "", ""],

@@ -226,10 +226,14 @@ export class PdfSource implements PageSource {
 
   async links(index: number, signal: AbortSignal): Promise<readonly PageLink[]> {
     return await this.#read(index, "links", signal, async (page) => {
+      const { links, lost } = await linksOfPage(page, this.#targets);
       const played = await playedOnPage(page);
-      const warnings = played.map((one) => warningOf("medium", one, this.#name));
+      const warnings = [
+        ...played.map((one) => warningOf("medium", one, this.#name)),
+        ...lost.map((one) => warningOf("link", one, this.#name)),
+      ];
       this.#warnings.add(...warnings.map((warning) => ({ ...warning, page: index + 1 })));
-      return [...(await linksOfPage(page, this.#targets)), ...(await notesOfPage(page))];
+      return [...links, ...(await notesOfPage(page))];
     });
   }
 

@@ -3,6 +3,11 @@ import { cleanAddress, cleanText } from "./book_text.ts";
 import { limits } from "./limits.ts";
 import type { LinkTarget, OutlineEntry } from "./page_source.ts";
 
+/** Returns whether an action turns pages, if it is one that a file calls by its name alone. */
+export function isTurn(action: string | null | undefined): boolean {
+  return /^(First|Last|Next|Prev)Page$/.test(action ?? "");
+}
+
 /** The targets of links and contents of one document: each destination is resolved once. */
 export class PdfTargets {
   readonly #document: PDFDocumentProxy;

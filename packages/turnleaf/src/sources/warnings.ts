@@ -12,6 +12,7 @@ const phrases: Readonly<Record<BookWarningCode, string>> = {
   embedded: "embedded in a page of {name}, is missing or cannot be shown there",
   font: "a font of {name}, is missing or damaged; its text is set in another",
   image: "an image of {name}, is missing or cannot be shown",
+  link: "a link on a page of {name}, leads nowhere in it",
   medium: "a sound or film of {name}, is missing or cannot be played",
   note: "a note of {name}, is missing or has no text",
   page: "listed in {name}, is no page that can be shown",

@@ -210,6 +210,8 @@ export interface WarningTexts {
   readonly font: string;
   /** An image. */
   readonly image: string;
+  /** A link on a page leads nowhere in the book. */
+  readonly link: string;
   /** A sound or a film. */
   readonly medium: string;
   /** A note is not there, or has no text. */

@@ -121,6 +121,7 @@ export const texts: Texts = {
     embedded: "{source}, in eine Seite eingebettet, fehlt oder kann dort nicht gezeigt werden.",
     font: "{source}, eine Schrift, fehlt oder ist beschädigt; ihr Text ist in einer anderen gesetzt.",
     image: "{source}, ein Bild, fehlt oder kann nicht gezeigt werden.",
+    link: "{source}, ein Link auf einer Seite, führt zu keiner Stelle in diesem Buch.",
     medium: "{source}, ein Ton oder ein Film, fehlt oder kann nicht abgespielt werden.",
     note: "{source}, eine Fußnote, fehlt oder hat keinen Text.",
     page: "{source} ist im Buch aufgeführt und ist keine Seite, die gezeigt werden kann.",

@@ -120,6 +120,7 @@ export const texts: Texts = {
     embedded: "{source}, incrustado en una página, falta o no se puede mostrar allí.",
     font: "{source}, una tipografía, falta o está dañada; su texto se compone en otra.",
     image: "{source}, una imagen, falta o no se puede mostrar.",
+    link: "{source}, un enlace en una página, no lleva a ningún lugar de este libro.",
     medium: "{source}, un sonido o una película, falta o no se puede reproducir.",
     note: "{source}, una nota, falta o no tiene texto.",
     page: "{source} figura en el libro y no es una página que se pueda mostrar.",

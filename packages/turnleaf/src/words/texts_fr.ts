@@ -116,6 +116,7 @@ export const texts: Texts = {
     embedded: "{source}, incorporé dans une page, est absent ou ne peut pas y être affiché.",
     font: "{source}, une police, est absente ou endommagée ; son texte est composé dans une autre.",
     image: "{source}, une image, est absente ou ne peut pas être affichée.",
+    link: "{source}, un lien sur une page, ne mène nulle part dans ce livre.",
     medium: "{source}, un son ou un film, est absent ou ne peut pas être lu.",
     note: "{source}, une note, est absente ou n’a pas de texte.",
     page: "{source} figure dans le livre et n’est pas une page qui puisse être affichée.",

@@ -110,6 +110,7 @@ export const texts: Texts = {
     embedded: "{source}（页面中的嵌入内容）缺失，或无法在该处显示。",
     font: "{source}（字体）缺失或已损坏，其文字以其他字体显示。",
     image: "{source}（图片）缺失或无法显示。",
+    link: "{source}（页面上的链接）在此书中没有对应的位置。",
     medium: "{source}（音频或视频）缺失或无法播放。",
     note: "{source}（注释）缺失或没有文字。",
     page: "{source}列在此书中，但不是可显示的页面。",
