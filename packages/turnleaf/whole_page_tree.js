@@ -14,6 +14,12 @@ const noArray = 'addPageError(new FormatError("Page dictionary kids object is no
 
 /** What is in the code, and what stands there instead. */
 const changes = [
+  // Without a trailer that names it, the catalog is the object that says that it is one.
+  ["if(!m.length)for(const e in this.#zn){", "for(const e in this.#zn){"],
+  [
+    'if(a instanceof Dict&&a.has("Root"))return a}throw',
+    'if(!(a instanceof Dict))continue;if(a.has("Root"))return a;if(isName(a.getRaw("Type"),"Catalog")&&a.has("Pages")){const e=new Dict(this);e.set("Root",n);return e}}throw',
+  ],
   // A count of the whole tree that is wrong is found by a page behind it; then pdf.js walks all of the tree.
   [
     "if(a<=1)return;await this.getPage(a-1)}",

@@ -194,6 +194,21 @@ test.each(trees)("the tree of pages %s has its pages", async (tree, expected) =>
   source.close();
 });
 
+test.each([
+  ["its table and trailer", /xref\n[\s\S]*$/],
+  ["its trailer", /trailer\n[\s\S]*$/],
+  ["its last page too", /14 0 obj[\s\S]*$/],
+])("a PDF that has lost its end, %s, has its pages", async (_, end) => {
+  const source = await openSource(changed((pdf) => pdf.replace(end, "")));
+  const texts = await Promise.all([0, 1].map((index) => source.text?.(index, never)));
+  expect(texts.map((runs) => runs?.map(({ text }) => text))).toEqual([
+    ["Call me Ishmael"],
+    ["Call me Ishmael"],
+  ]);
+  expect(source.pageCount).toBe(3);
+  source.close();
+});
+
 test.each(["/Count 7 /Kids []", "/Count 0", "/Count 0 /Kids []"])(
   "the tree of pages %s has none",
   async (tree) => {

@@ -44,6 +44,13 @@ function inkOf(picture: PagePicture): { left: number; top: number; right: number
 }
 
 describe("the text of a PDF's page", () => {
+  it("is there where its font says that letters have no width", async () => {
+    const widths = `/FirstChar 32 /LastChar 126 /Widths [${"0 ".repeat(95)}]`;
+    const font = `/Font << /F1 << /Type /Font /Subtype /Type1 /BaseFont /Helvetica ${widths} >> >>`;
+    const [run] = await textOf(say("Ishmael", "1 0 0 1 20 250"), { resources: font });
+    expect(run).toMatchObject({ text: "Ishmael", x: 20, width: 70 });
+  });
+
   it("comes in lines with words, where the ink is", async () => {
     const content = say("Call me", "1 0 0 1 20 250") + say("Ishmael.", "1 0 0 1 20 220");
     const source = await open({ pages: [content], resources: fonts });

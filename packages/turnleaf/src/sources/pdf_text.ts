@@ -119,7 +119,8 @@ function pieceOf(item: Item, style: Style | undefined, view: readonly number[]):
   const box = {
     x: x + ascent * Math.sin(angle),
     y: y - ascent * Math.cos(angle),
-    width: item.width * unit,
+    // A font may say that its letters have no width; they are half as wide as high, as usual.
+    width: item.width * unit || (em * text.length) / 2,
     height: ascent + descent,
   };
   return { run: { ...box, text, angle, end }, em };
