@@ -1,6 +1,7 @@
 /** Files of an EPUB, however they are named: books of strangers, each of which failed once. */
 
 import { expect, test } from "vitest";
+import { png } from "../../for_tests/epub_books.ts";
 import { closeBooks, laidOut, wordsOf } from "../../for_tests/laid_out_books.ts";
 import { tinyEpub } from "./tiny_epub.ts";
 
@@ -76,6 +77,8 @@ test.each([
   '<img src="none.png" srcset="blue.png 2x" alt="a"/>',
   '<picture><source srcset="blue.png" media="print"/><img src="none.png" alt="a"/></picture>',
   '<picture><source srcset="none.webp" type="image/webp"/><img src="blue.png" alt="a"/></picture>',
+  '<embed src="blue.png" type="image/png" aria-label="a"/>',
+  '<object data="blue.png" type="image/png">a</object>',
 ])("a picture is found by any of its addresses: %s", async (markup) => {
   const pen = new OffscreenCanvas(200, 200).getContext("2d")!;
   pen.fillStyle = "#00f";
@@ -94,4 +97,57 @@ test.each([
   const isBlue = (k: number): boolean => (data[k] ?? 255) < 60 && (data[k + 2] ?? 0) > 200;
   expect(data.some((_, k) => k % 4 === 0 && isBlue(k))).toBe(true);
   expect(source.warnings).toEqual([]);
+});
+
+test("addresses of a chapter that names a base lead from there, or else from its own file", async () => {
+  const red = await png("#f00");
+  const chapter = (base: string, body: string): string =>
+    `<?xml version="1.0"?><html xmlns="http://www.w3.org/1999/xhtml"><head><title>t</title><base href="${base}"/><link rel="stylesheet" href="base.css"/></head><body>${body}</body></html>`;
+  const links = '<a href="c2.xhtml">two</a> <a href="#own">own</a> <b id="own">here</b>';
+  const source = await laidOut(
+    tinyEpub({
+      chapters: [
+        chapter("parts/", `<p>one</p><img src="red picture.png" alt="far"/>${links}`),
+        chapter(
+          "https://example.org/book/",
+          `<p>two</p><img src="parts/red%20picture.png" alt="near"/>`,
+        ),
+      ],
+      files: { "parts/red picture.png": red, "parts/base.css": "p { font-size: 40px }" },
+    }),
+  );
+  expect((await source.text?.(0, never))?.[0]?.height).toBeGreaterThan(40);
+  expect((await source.links?.(0, never))?.map(({ to }) => to)).toMatchObject([
+    { page: 2 },
+    { page: 1 },
+  ]);
+  expect(source.warnings?.map(({ source: of }) => of)).toEqual(["OEBPS/base.css"]);
+});
+
+test("a picture that is embedded is as large as the book says", async () => {
+  const red = await png("#f00");
+  const style = 'style="width: 150px; height: 150px"';
+  const source = await laidOut(
+    tinyEpub({
+      chapters: [
+        `<p><object data="red.png" width="150" height="150">said</object><embed src="red.png" ${style}/></p>`,
+        `<p><object data="red.png" class="wide">said</object></p>`,
+      ],
+      css: ".wide { width: 150px; height: 150px }",
+      files: { "red.png": red },
+    }),
+  );
+  const counts: number[] = [];
+  for (const index of [0, 1]) {
+    const { width } = await source.size(index);
+    const drawn = (await source.draw(index, Math.round(width), never)) as ImageBitmap;
+    const pen = new OffscreenCanvas(drawn.width, drawn.height).getContext("2d")!;
+    pen.drawImage(drawn, 0, 0);
+    const { data } = pen.getImageData(0, 0, drawn.width, drawn.height);
+    const isRed = (_: number, k: number): boolean => k % 4 === 0 && (data[k + 1] ?? 255) < 100;
+    counts.push(data.filter(isRed).length);
+    expect(await source.alt?.(index, never)).toBe("said");
+  }
+  expect(counts[0]).toBeGreaterThan(1.2 * 150 * 150);
+  expect(counts[1]).toBeGreaterThan(0.6 * 150 * 150);
 });

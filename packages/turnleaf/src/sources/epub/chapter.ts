@@ -118,7 +118,34 @@ async function parseChapter(
   if (damagedLine !== undefined && body && mediaType !== "text/html") {
     body.prepend(noticeOf(document, damagedLine, isFixed));
   }
+  resolveBase(document, files, path);
   return document;
+}
+
+/** Attributes that are addresses of files, or of places in them. */
+const addressAttributes = ["href", "src", "data", "poster", "xlink:href"];
+
+/**
+ * Has the addresses in a chapter lead where they do from the base that it names for them, from the archive's root.
+ * What is not there stays an address from the chapter's own file, as does all where the base is a web site's.
+ *
+ * @param path of the chapter
+ */
+function resolveBase(document: Document, files: EpubFiles, path: string): void {
+  const base = document.querySelector("base[href]")?.getAttribute("href") ?? "";
+  if (base === "" || /^(?:[a-z][a-z\d+.-]*:|[/\\]{2})/i.test(base)) return;
+  const folder = base.slice(0, base.lastIndexOf("/") + 1);
+  for (const element of document.querySelectorAll("*")) {
+    if (element.localName === "base") continue;
+    for (const name of addressAttributes) {
+      const address = element.getAttribute(name) ?? "";
+      const target = /^(?:$|#)/.test(address) ? null : files.resolve(`${folder}${address}`, path);
+      if (target === null) continue;
+      const fragment = /#.*$/s.exec(address)?.[0] ?? "";
+      const whole = target.split("/").map(encodeURIComponent).join("/");
+      element.setAttribute(name, `/${whole}${fragment}`);
+    }
+  }
 }
 
 /** Returns a sentence about an error in a chapter, to be shown above it. */

@@ -226,3 +226,17 @@ test("a file that is not listed is shown in books from before EPUB 3, which forb
   }
   expect(heights[0]).toBeGreaterThan(1.5 * (heights[1] ?? 0));
 });
+
+test("what a chapter declares by name stands in it where it had to be repaired", async () => {
+  const declared =
+    '<!ENTITY press "Acme &amp; Sons"><!ENTITY both \'&press; and &#169; others\'><!ENTITY far SYSTEM "far.txt"><!ENTITY self "me &self;">';
+  const laughs = Array.from(
+    { length: 9 },
+    (_, k) => `<!ENTITY l${k + 1} "${`&l${k};`.repeat(10)}">`,
+  );
+  const chapter = `<?xml version="1.0"?><!DOCTYPE html [${declared}<!ENTITY l0 "ha">${laughs.join("")}]><html xmlns="http://www.w3.org/1999/xhtml"><head><title>t</title></head><body><p>By &press; / &both; <br> &far; &self; &l9; end</p></body></html>`;
+  const source = await laidOut(tinyEpub({ chapters: [chapter] }));
+  const words = await wordsOf(source, 0);
+  expect(words).toContain("By Acme & Sons / Acme & Sons and © others &far; me &self; &l");
+  expect(words.length).toBeLessThan(10_000);
+});

@@ -1,6 +1,7 @@
 /** Chapters of strangers, made harmless: what the markup of a page may be, and nothing else. */
 
 import createPurify from "dompurify";
+import { cleanText } from "../book_text.ts";
 import { checkBudget } from "../budget.ts";
 import { limits } from "../limits.ts";
 import { BookError } from "../page_source.ts";
@@ -100,11 +101,11 @@ export async function cleanMarkup(
     one.removeAttribute("hidden");
   prepareFormulas(root);
   for (const medium of root.querySelectorAll("audio, video")) placeOf(medium, files);
-  for (const object of root.querySelectorAll("object")) await pictureOf(object, files);
+  for (const object of root.querySelectorAll("object, embed")) await pictureOf(object, files);
   for (const frame of [...root.querySelectorAll("iframe")].slice(0, mostFrames)) {
     await drawFrame(frame, files);
   }
-  for (const element of root.querySelectorAll("iframe, frame, embed")) {
+  for (const element of root.querySelectorAll("iframe, frame")) {
     const address = element.getAttribute("src") ?? "";
     if (address !== "") element.before(placeOfLost(element, "embedded", address, files));
   }
@@ -325,12 +326,28 @@ function isBlank(element: Element): boolean {
   return true;
 }
 
-/** Puts an embedded object's picture in its place, or what stands there without it. */
+/** Puts an embedded object's picture in its place, as large as it is, or what stands there without it. */
 async function pictureOf(object: Element, files: MarkupFiles): Promise<void> {
-  const address = object.getAttribute("data") ?? "";
+  const address = object.getAttribute(object.localName === "embed" ? "src" : "data") ?? "";
   const data = await files.data(address);
   if (data?.startsWith("data:image/")) {
     const image = object.ownerDocument.createElementNS(xhtml, "img");
+    for (const name of [
+      "id",
+      "class",
+      "title",
+      "width",
+      "height",
+      "hspace",
+      "vspace",
+      "align",
+      styleAttribute,
+    ]) {
+      const value = object.getAttribute(name);
+      if (value !== null) image.setAttribute(name, value);
+    }
+    const words = object.textContent?.trim() || object.getAttribute("aria-label");
+    if (words) image.setAttribute("alt", cleanText(words, limits.altLength));
     image.setAttribute("src", data);
     object.replaceWith(image);
     return;

@@ -4,6 +4,7 @@
  */
 
 import { Parser } from "htmlparser2";
+import { withDeclaredEntities } from "./declared_entities.ts";
 import { parseMarkup } from "./parse_markup.ts";
 import { forbidden } from "./xml.ts";
 
@@ -73,8 +74,8 @@ export interface RepairedXml {
 }
 
 /**
- * Returns a document as well-formed XML: named characters, ampersands and prefixes mean what they were to,
- * elements end within each other, and what XML forbids, or what defines entities, is left out.
+ * Returns a document as well-formed XML: named characters, entities that it declares, ampersands and prefixes
+ * mean what they were to, elements end within each other, and what XML forbids is left out.
  *
  * @param isHtml whether its elements are those of HTML: some have no end, and some end others
  * @returns null if its elements lie too deep within each other
@@ -92,7 +93,7 @@ export function repairedXml(text: string, isHtml: boolean): RepairedXml | null {
     decodeEntities: false,
   });
   try {
-    const whole = withWholeCharacters(text);
+    const whole = withWholeCharacters(withDeclaredEntities(text));
     parser.write(isHtml ? withEscapedSigns(whole) : whole);
   } catch (error) {
     if (writer.isTooDeep) return null;

@@ -132,6 +132,17 @@ test("Markdown has headings, contents, lists, tables, code and links", async () 
   source.close();
 });
 
+test.each([
+  ["YAML", "---\ntitle: x\n---\n# Text", "Text"],
+  ["YAML that ends by dots", "---\ntitle: x\n...\n# Text", "Text"],
+  ["TOML", '+++\ntitle = "x"\n[extra]\nb = 1\n+++\n# Text', "Text"],
+  ["lines about words", "---\n\nThe words.\n\n---\n\nText", "The words.Text"],
+])("settings before the text of Markdown are no part of it: %s", async (_, text, shown) => {
+  const source = await open(text, "a.md", "text/markdown");
+  expect((await textOf(source)).replaceAll("\n", "").trim()).toBe(shown);
+  source.close();
+});
+
 test("lines of the contents lead to their headings, whatever headings stand in its HTML", async () => {
   const text = `<h1 align="center">Tool</h1>\n\n## Install\n\n${plain}\n\n### Linux\n\n[there](#linux)`;
   const source = await open(text, "README.md");

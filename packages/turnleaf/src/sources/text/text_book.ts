@@ -35,6 +35,10 @@ const longestPart = 60_000;
 /** A piece of a longer paragraph, to its last space if there is one. */
 const piece = new RegExp(`[\\s\\S]{1,${longestPart}}(?=\\s|$)|[\\s\\S]{1,${longestPart}}`, "g");
 
+/** Settings of the program that makes a site of the file, before its text: in YAML or TOML. */
+const frontMatter =
+  /^(?:---\n(?:[\w"'.-]+ *:|#)[\s\S]*?\n(?:---|\.\.\.)|\+\+\+\n(?:[\w"'-]+ *[.=]|[#[])[\s\S]*?\n\+\+\+)[ \t]*(?:\n|$)/;
+
 const style = `
 p { margin: 0; text-indent: 1.4em; }
 p:first-child, h1 + p, h2 + p, h3 + p, hr + p, pre + p, ul + p, ol + p, .lines { text-indent: 0; }
@@ -143,7 +147,7 @@ function markdownChapters(text: string): Chapter[] | null {
 
 function chaptersIn(text: string): Chapter[] {
   const notes = new Footnotes();
-  const tokens = notes.take(readMarkdown(text.replace(/^---\n[\s\S]*?\n---\n/, "")));
+  const tokens = notes.take(readMarkdown(text.replace(frontMatter, "")));
   const depths = [1, 2].filter((depth) => tokens.filter(isHeading(depth)).length > 1);
   const [depth = 0] = depths;
   const parts: Token[][] = [[]];
