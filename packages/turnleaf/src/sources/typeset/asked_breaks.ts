@@ -40,11 +40,38 @@ export function honourBreaks(body: Element, writingMode: string, mentions: Style
     } else if (display.startsWith("inline") && inLine.test(element.localName)) {
       setStyles(element, { display: "block" });
     } else if (display === "inline") continue;
+    if (breakBefore === "column") moveBreak(element, "before", body, view);
+    if (breakAfter === "column") moveBreak(element, "after", body, view);
     for (let box = parent; box && box !== body; box = box.parentElement) {
       const style = view.getComputedStyle(box);
       if (isUnbroken(style)) setStyles(box, opened(style, writingMode));
     }
   }
+}
+
+/**
+ * Has the page that begins at the first item in a flexible box or a grid, or ends at the last, do so at the box.
+ * A browser does that of blocks alone, and leaves the part of a page empty that is above the item.
+ */
+function moveBreak(item: HTMLElement, part: "before" | "after", body: Element, view: Window): void {
+  const isOut = (box: Element | null): boolean => {
+    if (box === null) return false;
+    const { display, position } = view.getComputedStyle(box);
+    return display === "none" || position === "absolute";
+  };
+  let from = item;
+  for (let box = from.parentElement; box && from !== body; box = from.parentElement) {
+    if (!/(?:flex|grid)$/.test(view.getComputedStyle(box).display)) break;
+    const next = (one: Element): Element | null =>
+      part === "before" ? one.previousElementSibling : one.nextElementSibling;
+    let other = next(from);
+    while (other && isOut(other)) other = next(other);
+    if (other) break;
+    from = box;
+  }
+  if (from === item) return;
+  setStyles(item, { [`break-${part}`]: "auto" });
+  setStyles(from, { [`break-${part}`]: "column" });
 }
 
 /** Returns a box that breaks pages as the break of a line asks for, which itself is no box. */

@@ -4,6 +4,7 @@ import { limits } from "../limits.ts";
 import type { PageSize, Typography } from "../page_source.ts";
 import { alignText, alignUnsaid } from "./align_text.ts";
 import { honourBreaks, resolveVariables } from "./asked_breaks.ts";
+import { closeBlankPages } from "./blank_pages.ts";
 import { setStyles } from "./box_styles.ts";
 import { fitBoxes, fixCrossed } from "./fit_boxes.ts";
 import { fitDrawings } from "./fit_drawings.ts";
@@ -178,7 +179,10 @@ export async function laySection(
     fit();
     fitFormulas(body, isVertical);
     if (placeBoxes(frame, body, flow, { ...page, ...ends }, mentions, fitted)) fit();
-    if (!isSliced) trimHeights(body, flow, area);
+    if (!isSliced) {
+      trimHeights(body, flow, area);
+      closeBlankPages(body, flow, across);
+    }
     if (isMixed) fixCrossed(body);
   }
   if (isSliced) {
