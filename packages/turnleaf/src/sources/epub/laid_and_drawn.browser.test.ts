@@ -119,6 +119,31 @@ test("a table beside a float that ends before it leaves no page empty", async ()
   expect(pages.at(-1)).toContain("end");
 });
 
+test.each(["display: grid; grid-template-columns: 200px 1fr", "display: flex"])(
+  "items of which a float would leave no room for lie on nothing: %s",
+  async (style) => {
+    const float = `<div style="float: right; width: 60%">${prose(3)}</div>`;
+    const items = `<div style="min-width: 200px">${prose(9)}</div><div style="min-width: 60px">${prose(2)}</div>`;
+    const source = await laidOutEpub({
+      chapters: [`${float}<p>beside</p><div style="${style}">${items}</div><p>end</p>`],
+    });
+    for (let page = 0; page < source.pageCount; page++) {
+      const lines = (await source.text?.(page, never)) ?? [];
+      for (const [k, line] of lines.entries()) {
+        const upon = lines
+          .slice(k + 1)
+          .find(
+            (other) =>
+              Math.min(line.x + line.width, other.x + other.width) - Math.max(line.x, other.x) >
+                1 && Math.abs(line.y - other.y) < 8,
+          );
+        expect(upon?.text, `${line.text} on page ${page + 1}`).toBe(undefined);
+      }
+    }
+    await expectDrawnAsLaid(source);
+  },
+);
+
 test.each([
   [
     "a cell over many rows",

@@ -54,13 +54,21 @@ export function fitBoxes(
       if (rects.length === 0) continue;
       const isWhole = rects.length === 1;
       const isHigh = isWhole && lengthsOf(rects[0] as DOMRect, isVertical).down > page + tolerance;
+      const isOverrun = !isWhole && hasItemsBeyond(element, rects, view, isVertical);
       const isWide =
+        isOverrun ||
         widthOf(rects, isVertical) > line + tolerance ||
         (isWhole && isOverlong(element, isVertical));
       const isLined =
         isWhole || !/^(?:pre|nowrap)$/.test(view.getComputedStyle(element).whiteSpace);
       if (isBesideFloat(element, rects, isVertical)) {
         known.add(element);
+        changes.push([element, { clear: "both" }]);
+        done = element;
+        continue;
+      }
+      // Where it has all of a line it may have room for them; it is looked at again.
+      if (isOverrun && view.getComputedStyle(element).clear === "none") {
         changes.push([element, { clear: "both" }]);
         done = element;
         continue;
@@ -102,6 +110,34 @@ function isBesideFloat(
   if (rects.length < 2 || element.localName !== "table") return false;
   const least = Math.min(...rects.map((rect) => lengthsOf(rect, isVertical).across));
   return widthOf(rects, isVertical) > least + tolerance;
+}
+
+/**
+ * Returns whether items of a flexible box or a grid on several pages go on beyond it at the ends of its lines, as
+ * where a float leaves it less room than they need.
+ */
+function hasItemsBeyond(
+  element: HTMLElement,
+  rects: readonly DOMRect[],
+  view: Window,
+  isVertical: boolean,
+): boolean {
+  const { display, direction } = view.getComputedStyle(element);
+  if (!/(?:flex|grid)$/.test(display)) return false;
+  const isReversed = direction === "rtl";
+  const startOf = (rect: DOMRect): number =>
+    isVertical ? (isReversed ? -rect.bottom : rect.top) : isReversed ? -rect.right : rect.left;
+  const endOf = (rect: DOMRect): number => startOf(rect) + lengthsOf(rect, isVertical).across;
+  for (const item of element.children) {
+    if (view.getComputedStyle(item).position === "absolute") continue;
+    for (const rect of item.getClientRects()) {
+      const apart = (one: DOMRect): number => Math.abs(startOf(one) - startOf(rect));
+      // The one on its page is the nearest.
+      const own = rects.reduce((near, one) => (apart(one) < apart(near) ? one : near));
+      if (rect.width > 0 && endOf(rect) > endOf(own) + tolerance) return true;
+    }
+  }
+  return false;
 }
 
 /** Returns how long a rectangle is along lines and across them. */
