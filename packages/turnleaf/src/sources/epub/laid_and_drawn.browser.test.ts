@@ -119,6 +119,22 @@ test("a table beside a float that ends before it leaves no page empty", async ()
   expect(pages.at(-1)).toContain("end");
 });
 
+test.each([
+  ["a float of most of a line", '<div style="float: left; width: 88%">side</div>'],
+  ["a picture of most of a line", '<svg style="float: left" width="320" height="60"></svg>'],
+  ["a box of no width", '<div style="width: 0">considerable words</div>'],
+])("words are whole beside %s, or in it", async (_, box) => {
+  const word = "incomprehensibilities";
+  const source = await laidOutEpub({
+    chapters: [`${box}<p>${`${word} `.repeat(20)}</p><div>${word}<b>${word}</b> ${word}</div>`],
+  });
+  const lines = (await source.text?.(0, never)) ?? [];
+  const words = lines.flatMap(({ text }) => text.trim().split(" "));
+  const all = new Set(["side", "considerable", "words", word, word + word]);
+  expect(words.filter((one) => !all.has(one))).toEqual([]);
+  await expectDrawnAsLaid(source);
+});
+
 test.each(["display: grid; grid-template-columns: 200px 1fr", "display: flex"])(
   "items of which a float would leave no room for lie on nothing: %s",
   async (style) => {

@@ -24,6 +24,7 @@ import {
 import { hideUnseen } from "./hide_unseen.ts";
 import { divideWords } from "./hyphenation/divide_words.ts";
 import { initialLetters } from "./initial_letters.ts";
+import { keepWords } from "./keep_words.ts";
 import { applyLetterForms } from "./letter_forms.ts";
 import { bleed } from "./lone_picture.ts";
 import { type MarginStyle, Markup } from "./markup.ts";
@@ -176,6 +177,7 @@ export async function laySection(
     initials = initialLetters(body, type, mentions);
     hideUnseen(body, flow, mentions);
     if (!isSliced) honourBreaks(body, writingMode, mentions);
+    keepWords(body, flow, line, mentions);
     fit();
     fitFormulas(body, isVertical);
     if (placeBoxes(frame, body, flow, { ...page, ...ends }, mentions, fitted)) fit();
