@@ -800,3 +800,18 @@ test.each([
     expect(moved.pageCount).toBe(plain.pageCount);
   }
 });
+
+test("a short text of horizontal lines among vertical ones stays so, and lies on nothing", async () => {
+  const note = `<div style="writing-mode: horizontal-tb"><p>${"note ".repeat(60)}</p><p>last</p></div>`;
+  const source = await laidOutEpub({
+    chapters: [`<div>${prose(6)}</div>${note}<div>${prose(2)}</div>`],
+    css: "div { writing-mode: vertical-rl }",
+  });
+  const pages = await Promise.all(
+    Array.from({ length: source.pageCount }, (_, k) => source.text?.(k, never) ?? []),
+  );
+  const notes = pages.flat().filter(({ text }) => /note|last/.test(text));
+  expect(notes.length).toBeGreaterThan(2);
+  expect(notes.filter(({ vertical }) => vertical)).toEqual([]);
+  await expectDrawnAsLaid(source);
+});

@@ -86,10 +86,11 @@ export function fitBoxes(
       const isNarrowed = isWide || !isLined;
       changes.push([
         box,
-        wholeChange(box, style, { isWide, isHigh }, type) ?? {
-          ...opened(style, writingMode),
-          ...(isNarrowed ? narrowed(box, style, type) : {}),
-        },
+        crossedChange(box, style, type) ??
+          wholeChange(box, style, { isWide, isHigh }, type) ?? {
+            ...opened(style, writingMode),
+            ...(isNarrowed ? narrowed(box, style, type) : {}),
+          },
       ]);
       done = box;
     }
@@ -203,6 +204,41 @@ function wholeChange(
   if (replaced.test(box.localName)) return { "min-inline-size": "0", "min-block-size": "0" };
   if (isWide && isPlacing(box, style)) return scaledDown(box, area);
   return isBare(box) ? bareBox(style, area) : null;
+}
+
+/**
+ * Returns the styles by which a box whose lines stand across those around it fits on a page as it is, with lines
+ * no longer than there is room for; null for others, and for one that has no room even so.
+ */
+function crossedChange(
+  box: HTMLElement,
+  style: CSSStyleDeclaration,
+  { line, page, isVertical }: TypeArea,
+): Styles | null {
+  const isAcross = ({ writingMode }: CSSStyleDeclaration): boolean =>
+    writingMode.startsWith("horizontal") === isVertical;
+  const view = box.ownerDocument.defaultView as Window;
+  const isWithin = isAcross(view.getComputedStyle(box.parentElement as Element));
+  // A roll has no pages.
+  if (!isAcross(style) || isWithin || !Number.isFinite(page) || tableParts.test(style.display)) {
+    return null;
+  }
+  const shorter = {
+    "max-inline-size": `${page}px`,
+    "min-inline-size": "0",
+    "break-inside": "avoid",
+  };
+  const own = box.style.cssText;
+  setStyles(box, shorter);
+  const [rect, ...others] = box.getClientRects();
+  const { across, down } = lengthsOf(rect ?? new DOMRect(), isVertical);
+  const isFull =
+    isOverlong(box, isVertical) ||
+    isOverlong(box, !isVertical) ||
+    isOverfull(box, [rect ?? new DOMRect()], box.ownerDocument.createRange());
+  box.style.cssText = own;
+  const fits = across <= line + tolerance && down <= page + tolerance;
+  return rect && others.length === 0 && fits && !isFull ? shorter : null;
 }
 
 /** Returns whether nothing is in a box, which shows its background alone. */
