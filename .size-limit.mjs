@@ -64,7 +64,7 @@ const apart = [
     "reads other formats",
     // Alignment, division of words, running heads and folios; tables that are turned and split, switches; XZ.
     // Packages, contents and chapters however they are written. What lies beyond its page, formulas, heights.
-    261,
+    263,
     `${readers().join(" ")} budget clean_markup data_url font_type html_pages legacy_names media_overlays names package_document parse_markup svg unpacker unpacker_worker.ts writing_direction decode_text`,
   ),
   part("decodes TIFF and JPEG 2000", 60, "rare_images rare_size tiff_pages decoder_worker.ts"),
@@ -76,7 +76,7 @@ const apart = [
     "hyphen en-us en-gb de-1996 es fr it pt",
   ),
   // Loaded for a book whose XML is not well-formed.
-  part("repairs XML", 29, "repaired_xml"),
+  part("repairs XML", 30, "repaired_xml"),
   // Loaded for a text whose bytes are no UTF-8 and that declares nothing else: letters by language.
   part("tells old encodings by their letters", 13, "legacy_encoding"),
   entry("standalone", 159, "standalone_* three.module"),
