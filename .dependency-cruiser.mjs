@@ -186,7 +186,7 @@ export default {
         "Of its sources it reads the tables of attributes, formats and stocks alone, which use nothing of a browser.",
       severity: "error",
       from: { path: "^packages/cli/(src|app)/", pathNot: test },
-      to: { path: source, pathNot: `${source}(attributes|sources/formats|stocks)[.]ts$` },
+      to: { path: source, pathNot: `${source}(attributes|sources/(unread_)?formats|stocks)[.]ts$` },
     },
     ...partRules,
     ...packageRules,

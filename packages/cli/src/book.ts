@@ -5,7 +5,7 @@ import { booksIn, imagePages, listFolder } from "./folder.ts";
 import { inspectPdf } from "./inspect_pdf.ts";
 import { fileProblem, Problem, printable } from "./problem.ts";
 import { openRegular, tooLarge } from "./regular_file.ts";
-import { readable, readableImages, servedFormat } from "./served_formats.ts";
+import { readableImages, servedFormat } from "./served_formats.ts";
 
 /** A served file: from the disk, or text made at the start. */
 export type ServedFile =
@@ -101,8 +101,8 @@ async function openFile(file: string, given: string): Promise<ServedBook> {
   const { start, size } = await readStart(file, given);
   if (start.length === 0) throw new Problem(`${printable(given)} is empty; get the file again.`);
   const format = servedFormat(start, name);
-  if (typeof format === "string") {
-    throw new Problem(`${printable(given)} ${format}; ${readable} can be read.`);
+  if ("remedy" in format) {
+    throw new Problem(`${printable(given)} ${format.reason}; ${format.remedy}.`);
   }
   const { kind, type, most = 0 } = format;
   if (size > most) throw tooLarge(given, most);

@@ -7,6 +7,7 @@ import {
   formats,
   listFormats,
 } from "../../turnleaf/src/sources/formats.ts";
+import { type Refusal, refusalOf } from "../../turnleaf/src/sources/unread_formats.ts";
 
 /** Why a format that the viewer opens is not served, by its media type: the end of a sentence about a file. */
 const unserved: Readonly<Record<string, string>> = {
@@ -14,7 +15,7 @@ const unserved: Readonly<Record<string, string>> = {
   "application/json": "is JSON (a IIIF manifest is opened by its address)",
 };
 
-const served = formats.filter((format) => reasonAgainst(format) === null);
+const served = formats.filter(({ type, reason }) => (reason ?? unserved[type]) === undefined);
 
 /** What is served, for sentences. */
 export const readable = `${listFormats(served)} and folders of images`;
@@ -25,20 +26,17 @@ export const readableImages: string = listFormats(
 );
 
 /**
- * Returns the format of a file that is served; otherwise why it is none, as the end of a sentence.
+ * Returns the format of a file that is served; otherwise why it is none, and what to do.
  *
  * @param start its first bytes, as many as show a format
  * @param name which tells text and Markdown apart
  */
-export function servedFormat(start: Uint8Array, name: string): FileFormat | string {
+export function servedFormat(start: Uint8Array, name: string): FileFormat | Refusal {
   const named = formatOfName(name);
   const type = named?.family === "text" ? named.type : "";
   // By its name alone no file is a ZIP here: whether one lies behind other bytes only its end would say.
   const format = formatOfFile({ start, type });
-  return reasonAgainst(format) ?? (format as FileFormat);
-}
-
-function reasonAgainst(format: FileFormat | null): string | null {
-  if (format === null) return "is of an unknown format";
-  return format.reason ?? unserved[format.type] ?? null;
+  if (format === null || format.reason !== undefined) return refusalOf({ start, type }, readable);
+  const reason = unserved[format.type];
+  return reason === undefined ? format : { reason, remedy: `${readable} can be read` };
 }

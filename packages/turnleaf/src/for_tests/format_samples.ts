@@ -136,7 +136,13 @@ export const formatSamples: Readonly<Record<Kind, FormatSample>> = {
   zeros: { starts: ["\0".repeat(1024)] },
   palmdoc: { starts: [`${"a".padEnd(60, "\0")}TEXtREAd`] },
   html: {
-    starts: ["<!doctype html>", "<HTML>", '<?xml version="1.0"?>', "<!-- a -->", "<body>"],
+    starts: ["<!doctype html>", "<HTML>", '<?xml version="1.0"?><html>', "<!-- a -->", "<body>"],
+  },
+  unread: {
+    starts: [
+      ...["{\\rtf1", "%!PS-Adobe-3.0 EPSF-3.0\n", '<?xml version="1.0"?>', "<!DOCTYPE ncx>"],
+      '<TEI xmlns="http://www.tei-c.org/ns/1.0">',
+    ],
   },
   unknown: { starts: ["\0\0\0", "\x7fELF", "caf\xe9"] },
 };

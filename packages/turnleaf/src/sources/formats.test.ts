@@ -18,7 +18,7 @@ const images = {
   "image/tiff": ["II*\0\x08", "MM\0*\0"],
   "image/jp2": ["\0\0\0\x0cjP  \r\n\x87\n", "\xff\x4f\xff\x51"],
   "image/jxl": ["\0\0\0\x0cJXL \r\n\x87\n", "\xff\x0a"],
-  "image/heic": ["\0\0\0\x18ftypheic", "\0\0\0\x18ftypmif1"],
+  "image/heic": ["\0\0\0\x18ftypheic", "\0\0\0\x18ftypmif1\0\0\0\0mif1heic"],
   "image/bmp": [
     "BM\0\0\0\0\0\0\0\0\x36\0\0\0\x28\0\0\0",
     // What stands where nothing is to stand, and the header of OS/2.
@@ -30,7 +30,8 @@ const images = {
     "<!doctype svg><svg>",
     "\xff\xfe<\0s\0v\0g\0 \0",
   ],
-  "image/avif": ["\0\0\0\x20ftypavif", "\0\0\0\x20ftypavis"],
+  // The first of its brands may be that of all such images.
+  "image/avif": ["\0\0\0\x20ftypavif", "\0\0\0\x20ftypavis", "\0\0\0\x18ftypmif1\0\0\0\0mif1avif"],
 };
 
 const startOf = (text: string): FileStart => ({
@@ -105,6 +106,16 @@ test("takes text of other encodings where the name says that it is text", () => 
       "a.txt",
     ),
   ).toBe("pdf");
+});
+
+test("a text that names a PDF's mark is text where its name says so, and what a ZIP holds does not make it one", () => {
+  const of = (text: string, name?: string) => formatOfFile({ ...startOf(text), name })?.kind;
+  const named = "A file begins with %PDF-1.7";
+  expect([of(named, "a.md"), of(named, "a.txt"), of(named)]).toEqual(["text", "text", "pdf"]);
+  expect(of("Junk\n%PDF-1.7", "a.txt")).toBe("pdf");
+  const stored = `PK\x03\x04${"\0".repeat(26)}a.pdf%PDF-1.7`;
+  expect(of(stored)).toBe("zip");
+  expect(of(`MZ\0 the program ${stored}`)).toBe("zip");
 });
 
 test("every ending and every mark is of one format", () => {

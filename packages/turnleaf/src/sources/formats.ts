@@ -25,7 +25,7 @@ export type OpenedKind =
   | "text";
 
 /** The kind of a file, as far as its first bytes show. */
-export type Kind = OpenedKind | "html" | "palmdoc" | "bzip2" | "zeros" | "unknown";
+export type Kind = OpenedKind | "html" | "palmdoc" | "bzip2" | "zeros" | "unread" | "unknown";
 
 /** What is known of a file before it is read whole. */
 export interface FileStart {
@@ -41,7 +41,7 @@ export interface FileStart {
 interface FirstBytes extends FileStart {
   /** The bytes as Latin-1. */
   readonly text: string;
-  /** The same without a mark of byte order and spaces at the beginning. */
+  /** The same without a mark of byte order and spaces at the beginning; of UTF-16 the letters of ASCII. */
   readonly words: string;
 }
 
@@ -68,14 +68,20 @@ export interface FileFormat {
   readonly isRare?: boolean;
   /** Why it is not opened, as the end of a sentence about a file. */
   readonly reason?: string;
+  /** What to do about that; undefined if a list of what can be read says it. */
+  readonly remedy?: string;
 }
 
 /** A PDF's mark, and the maximum of bytes that may precede it. */
 const pdfMark = "%PDF-";
 const mostBefore = 1024;
 
-/** What a PDF without its mark begins with: comments, and an object. */
-const firstObject = /^(?:%[^\r\n]{0,99}[\r\n]{1,9}){0,9}\d{1,9} \d{1,5} obj\b/;
+/** The mark of a file in a ZIP. */
+const zipMark = "PK\x03\x04";
+
+/** What a PDF without its mark begins with: comments, and an object; or the mark of the first PDFs. */
+const firstObject =
+  /^(?:(?:%[^\r\n]{0,99}[\r\n]{1,9}){0,9}\d{1,9} \d{1,5} obj\b|%!PS-Adobe-\d\.\d PDF-\d)/;
 
 /** How many first bytes show the format. */
 export const sniffLength: number = mostBefore + pdfMark.length;
@@ -84,7 +90,7 @@ export const sniffLength: number = mostBefore + pdfMark.length;
 const palmTypeAt = 60;
 
 /** Returns a test for one of several marks at a place, in bytes. */
-const at =
+export const at =
   (offset: number, ...marks: readonly string[]) =>
   ({ text }: FirstBytes): boolean =>
     marks.some((mark) => text.startsWith(mark, offset));
@@ -123,7 +129,7 @@ export const formats: readonly FileFormat[] = [
   image("PNG", "image/png", ["png"], at(0, "\x89PNG\r\n\x1a\n")),
   image("JPEG", "image/jpeg", ["jpg", "jpeg", "jpe", "jfif"], at(0, "\xff\xd8\xff")),
   image("WebP", "image/webp", ["webp"], at(8, "WEBP")),
-  image("AVIF", "image/avif", ["avif"], at(4, "ftypavif", "ftypavis")),
+  image("AVIF", "image/avif", ["avif"], hasBrand(/^avi[fs]$/)),
   image("GIF", "image/gif", ["gif"], at(0, "GIF87a", "GIF89a")),
   // Its mark is short, so that the length of its header is tested too: programs write what they like between.
   image("BMP", "image/bmp", ["bmp"], (file) => at(0, "BM")(file) && bitmapHeader(file)),
@@ -137,7 +143,7 @@ export const formats: readonly FileFormat[] = [
     (file) => at(4, "jP  \r\n\x87\n")(file) || at(0, "\xff\x4f\xff\x51")(file),
     decoded,
   ),
-  image("HEIC", "image/heic", ["heic", "heif"], at(4, "ftyphei", "ftypmif1"), undecoded),
+  image("HEIC", "image/heic", ["heic", "heif"], hasBrand(/^(hei|hev|mif1|msf1)/), undecoded),
   image(
     "JPEG XL",
     "image/jxl",
@@ -153,25 +159,6 @@ export const formats: readonly FileFormat[] = [
     endings: ["cbt"],
     archiveEndings: ["tar"],
     is: ({ start }) => readTarHeader(start) !== null,
-    most: limits.archiveBytes,
-  },
-  {
-    kind: "pdf",
-    type: "application/pdf",
-    labels: ["PDF"],
-    family: "book",
-    endings: ["pdf"],
-    // Readers of PDFs read those without it too.
-    is: ({ text, words }) => text.includes(pdfMark) || firstObject.test(words),
-    most: limits.pdfBytes,
-  },
-  {
-    kind: "epub",
-    type: "application/epub+zip",
-    labels: ["EPUB"],
-    family: "book",
-    endings: ["epub"],
-    isIn: isEpub,
     most: limits.archiveBytes,
   },
   {
@@ -215,6 +202,24 @@ export const formats: readonly FileFormat[] = [
     reason: "is packed by bzip2, which is not unpacked here",
   },
   {
+    kind: "pdf",
+    type: "application/pdf",
+    labels: ["PDF"],
+    family: "book",
+    endings: ["pdf"],
+    is: isPdf,
+    most: limits.pdfBytes,
+  },
+  {
+    kind: "epub",
+    type: "application/epub+zip",
+    labels: ["EPUB"],
+    family: "book",
+    endings: ["epub"],
+    isIn: isEpub,
+    most: limits.archiveBytes,
+  },
+  {
     kind: "kindle",
     type: "application/x-mobipocket-ebook",
     labels: ["MOBI", "AZW3"],
@@ -247,7 +252,7 @@ export const formats: readonly FileFormat[] = [
     endings: ["cbz"],
     archiveEndings: ["zip"],
     // Something may stand before it, such as the headers of a mail. One of no files has an end alone.
-    is: ({ text }) => text.includes("PK\x03\x04") || text.startsWith("PK\x05\x06"),
+    is: ({ text }) => text.includes(zipMark) || text.startsWith("PK\x05\x06"),
     most: limits.archiveBytes,
   },
   {
@@ -265,15 +270,26 @@ export const formats: readonly FileFormat[] = [
     type: "application/json",
     labels: ["IIIF and JSON manifests"],
     family: "manifest",
-    // A manifest that is an array has strings or objects: [text] is a link of Markdown.
-    is: ({ words }) => /^(\{|\[\s*["{\]])/.test(words),
+    // A manifest that is an array has strings or objects: [text] is a link of Markdown, {\rtf a document.
+    is: ({ words }) => /^(\{(?!\\)|\[\s*["{\]])/.test(words),
     most: limits.manifestBytes,
   },
   {
     kind: "html",
     type: "text/html",
-    is: ({ words }) => /^<(!doctype html|html|\?xml|!--|head|body)/i.test(words),
+    is: ({ words }) =>
+      /^<(!doctype html|html|!--|head|body)/i.test(words) ||
+      /^<\?xml[^<]*<(!doctype )?html/i.test(words),
     reason: "is a web page, not a book",
+  },
+  {
+    kind: "unread",
+    type: "application/octet-stream",
+    // What would pass for text: RTF, PostScript and XML of any kind. What each is `unread_formats.ts` says.
+    is: (file) =>
+      /^(\{\\rtf|<(\?xml|!doctype|[\w:-]+ xmlns\b))/i.test(file.words) ||
+      at(0, "%!PS", "\x04%!PS")(file),
+    reason: "is a document of a kind that is not read",
   },
   {
     kind: "text",
@@ -306,7 +322,7 @@ export function formatOfFile(
 ): FileFormat | null {
   const start = file.start.subarray(0, sniffLength);
   const text = latin1(start);
-  const first = { ...file, start, text, words: wordsOf(text) };
+  const first = { ...file, start, text, words: wordsOf(narrowed(text)) };
   return among.find(({ is }) => is?.(first)) ?? null;
 }
 
@@ -401,9 +417,35 @@ function imageFormat(start: Uint8Array): FileFormat | null {
   return formatOfFile({ start, type: "" }, images);
 }
 
+/**
+ * Returns whether a file is a PDF. Anything may precede its mark but a ZIP, which may hold a PDF, and the words
+ * of a text, which may tell of PDFs. Readers of PDFs read those without a mark too.
+ */
+function isPdf(file: FirstBytes): boolean {
+  const { text, words } = file;
+  const place = text.indexOf(pdfMark);
+  if (place < 0) return firstObject.test(words);
+  const before = text.slice(0, place);
+  const isNamedIn = /[^\r\n]$/.test(before) && isSaidText(file) && isText(file);
+  return !before.includes(zipMark) && !isNamedIn;
+}
+
+/** Returns the brands of a file of ISO's media, as AVIF, HEIC and MP4 are: which readers can read it. */
+export function brandsOf({ start, text }: FirstBytes): readonly string[] {
+  if (!text.startsWith("ftyp", 4)) return [];
+  const [, , high = 0, low = 0] = start;
+  const box = text.slice(8, Math.max(256 * high + low, 12));
+  // Behind the first is its version.
+  return [box.slice(0, 4), ...(box.slice(8).match(/.{4}/gs) ?? [])];
+}
+
+/** Returns a test for one of several brands. */
+function hasBrand(pattern: RegExp): (file: FirstBytes) => boolean {
+  return (file) => brandsOf(file).some((brand) => pattern.test(brand));
+}
+
 /** Returns whether a file is a drawing, in UTF-16 too. Markdown may begin with one. */
-function isSvg({ type, text }: FirstBytes): boolean {
-  const words = wordsOf(narrowed(text));
+function isSvg({ type, words }: FirstBytes): boolean {
   return (
     type !== "text/markdown" &&
     /^<(\?xml|!--|!doctype svg|([\w-]+:)?svg[\s>])/i.test(words) &&
@@ -422,9 +464,14 @@ function isNamedZip({ name = "" }: FirstBytes): boolean {
 const fictionBook = [/^<(\?xml|!--|!doctype fictionbook|fictionbook)/i, /<fictionbook[\s>]/i];
 
 /** Returns whether a file is a FictionBook, in UTF-16 too. */
-function isFictionBook({ text }: FirstBytes): boolean {
-  const words = wordsOf(narrowed(text));
+function isFictionBook({ words }: FirstBytes): boolean {
   return fictionBook.every((mark) => mark.test(words));
+}
+
+/** Returns whether a media type or a name says that a file is text. */
+function isSaidText({ type, name = "" }: FirstBytes): boolean {
+  // Many servers, and systems that do not know an ending, give files no type, or a general one.
+  return type.startsWith("text/") || formatOfName(name)?.family === "text";
 }
 
 /** Control characters that neither terminals and printers know nor DOS writes at the end of a file. */
@@ -442,10 +489,10 @@ const leastText = 10;
  * media type or the name says text, in any encoding. Old programs wrote control characters into text, such as the
  * end of a DOS file or what terminals print bold; a byte of 0 none did, and others are rare in it.
  */
-function isText({ start, type, text, name = "" }: FirstBytes): boolean {
+function isText(file: FirstBytes): boolean {
+  const { start, text } = file;
   if (start.length === 0) return false;
-  // Many servers, and systems that do not know an ending, give files no type, or a general one.
-  const isSaid = type.startsWith("text/") || formatOfName(name)?.family === "text";
+  const isSaid = isSaidText(file);
   if (/^(\xff\xfe|\xfe\xff|\0\0\xfe\xff)/.test(text)) return true;
   // Letters of ASCII of two or four bytes each.
   if (start.includes(0)) return isSaid && wideLetters.test(text);
@@ -461,8 +508,9 @@ function isText({ start, type, text, name = "" }: FirstBytes): boolean {
   }
 }
 
-/** Returns the letters of ASCII in text that may be in UTF-16, each byte a character. */
+/** Returns text, each byte a character; of UTF-16 the letters of ASCII in it. */
 function narrowed(text: string): string {
+  if (!/^(\xff\xfe|\xfe\xff)/.test(text) && !wideLetters.test(text)) return text;
   return text.replace(/^(\xff\xfe|\xfe\xff)/, "").replaceAll("\0", "");
 }
 

@@ -8,7 +8,6 @@ import {
   formatOfFile,
   formatOfName,
   type Kind,
-  listFormats,
   type OpenedKind,
   rareImageType,
   sniff,
@@ -200,8 +199,9 @@ export async function openFile(file: BookFile, options: FormatOptions): Promise<
   if (open && most !== undefined) {
     return await open(file, () => file.whole(most, options.signal), options);
   }
-  const reason = format?.reason ?? "is of an unknown format";
-  throw new BookError(`${file.name} ${reason}; ${listFormats()} can be read.`, {
+  const { refusalOf } = await loadPart(import("./unread_formats.ts"));
+  const { reason, remedy } = refusalOf(file);
+  throw new BookError(`${file.name} ${reason}; ${remedy}.`, {
     code: "unsupported",
     source: file.name,
   });
@@ -257,8 +257,9 @@ function isIiif(value: unknown): value is Record<string, unknown> {
 
 async function parseJson({ blob }: WholeFile, name: string): Promise<unknown> {
   const bytes = await bytesOf(blob, name);
+  const { decodeText } = await loadPart(import("./decode_text.ts"));
   try {
-    return JSON.parse(new TextDecoder().decode(bytes));
+    return JSON.parse(await decodeText(bytes));
   } catch {
     throw new BookError(`${name} is no valid JSON; correct it and open it again.`, {
       code: "damaged",
