@@ -185,7 +185,32 @@ export function tar(files: StoredFiles, paths: TarPaths = "POSIX"): Uint8Array<A
   return join([...parts, new Uint8Array(1024)]);
 }
 
-function tarEntry(name: Uint8Array, type: string, bytes: Uint8Array): Uint8Array[] {
+/** A link in a tar: its own path, hard ("1") or symbolic ("2"), and the path that it says. */
+export type TarLink = readonly [path: string, type: "1" | "2", target: string];
+
+/** Returns a tar as `tar` does, with links behind the files. */
+export function tarWithLinks(
+  files: StoredFiles,
+  links: readonly TarLink[],
+): Uint8Array<ArrayBuffer> {
+  const bytes = tar(files);
+  const parts = links.flatMap(([path, type, target]) =>
+    target.length <= 100
+      ? tarEntry(utf8(path), type, new Uint8Array(), utf8(target))
+      : [
+          ...tarEntry(utf8("PaxHeader"), "x", extendedLine("linkpath", utf8(target))),
+          ...tarEntry(utf8(path), type, new Uint8Array()),
+        ],
+  );
+  return join([bytes.subarray(0, -1024), ...parts, new Uint8Array(1024)]);
+}
+
+function tarEntry(
+  name: Uint8Array,
+  type: string,
+  bytes: Uint8Array,
+  target: Uint8Array = new Uint8Array(),
+): Uint8Array[] {
   const block = new Uint8Array(512);
   block.set(name);
   block.set(utf8("0000644\x000000\x000000\0"), 100);
@@ -194,6 +219,7 @@ function tarEntry(name: Uint8Array, type: string, bytes: Uint8Array): Uint8Array
     124,
   );
   block.set(utf8(`${type}${"\0".repeat(100)}ustar\x0000`), 156);
+  block.set(target, 157);
   const sum = block.reduce((all, byte) => all + byte, 0);
   block.set(utf8(`${sum.toString(8).padStart(6, "0")}\0 `), 148);
   return [block, bytes, new Uint8Array(-bytes.length & 511)];

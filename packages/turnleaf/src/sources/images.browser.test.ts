@@ -390,7 +390,7 @@ describe("unreadable input fails in one sentence", () => {
     );
     const other = zipSync({ "notes.doc": new Uint8Array(9) }) as Uint8Array<ArrayBuffer>;
     expect(await fails(() => new Response(other))).toMatch(
-      /has no pages: no file in it is a book or an image; open another/,
+      /has no pages: no file in it, such as notes.doc, is a book or an image that can be shown; open another/,
     );
     expect(await fails(() => new Response("Rar!\x1a\x07\0"))).toMatch(
       /^a book\.json is damaged \(/,

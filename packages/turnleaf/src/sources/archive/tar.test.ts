@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { tar } from "../../for_tests/stored_archives.ts";
+import { tar, tarWithLinks } from "../../for_tests/stored_archives.ts";
 import { sniff } from "../formats.ts";
 import { limits } from "../limits.ts";
 import { messageOf } from "../message_of.ts";
@@ -27,6 +27,30 @@ test.each(["GNU", "POSIX"] as const)(
     );
   },
 );
+
+test("links in a tar lead to the files that they name, and those that lead nowhere say so", async () => {
+  const bytes = tarWithLinks({ "a/1": "one", [long]: "far" }, [
+    ["hard", "1", "a/1"],
+    ["a/beside", "2", "1"],
+    ["b/up", "2", "../a/./1"],
+    ["root", "2", "/a/1"],
+    ["long", "1", long],
+    ["twice", "2", "b/up"],
+    ["lost", "2", "../../etc/passwd"],
+    ["round", "2", "about"],
+    ["about", "2", "round"],
+  ]);
+  const archive = await openTar(new Blob([bytes]), "a.cbt");
+  expect(archive.names).toHaveLength(11);
+  for (const name of ["hard", "a/beside", "b/up", "root", "twice"]) {
+    expect(text(await archive.read(name)), name).toBe("one");
+  }
+  expect(text(await archive.read("long"))).toBe("far");
+  expect(await messageOf(archive.read("lost"))).toBe(
+    "lost in a.cbt is a link to etc/passwd, which is no file in it; pack it again with the whole file.",
+  );
+  expect(await messageOf(archive.read("round"))).toContain("is a link to");
+});
 
 test("of a tar that is cut off anywhere the files before are read", async () => {
   const bytes = tar({ a: "first", b: "second" });

@@ -12,8 +12,13 @@ export interface TarHeader {
   readonly path: Uint8Array<ArrayBuffer>;
   /** Its length in bytes. */
   readonly size: number;
-  /** What it is: "0" and "7" a file, "5" a folder, "L" and "x" the path of the next file and more about it. */
+  /**
+   * What it is: "0" and "7" a file, "1" a hard and "2" a symbolic link, "5" a folder; "L", "K" and "x" the path of the
+   * next file, what it links to, and more about it.
+   */
   readonly type: string;
+  /** The bytes of the path to which it links. */
+  readonly target: Uint8Array<ArrayBuffer>;
 }
 
 /** Returns what a block says; null if it is no header, by its checksum. */
@@ -30,7 +35,8 @@ export function readTarHeader(block: Uint8Array): TarHeader | null {
   const isUstar = String.fromCharCode(...block.subarray(257, 263)) === "ustar\0";
   const [name, prefix] = [textIn(block, 0, 100), isUstar ? textIn(block, 345, 155) : []];
   const path = Uint8Array.from(prefix.length > 0 ? [...prefix, 0x2f, ...name] : name);
-  return { path, size: numberIn(block, 124, 12), type };
+  const target = Uint8Array.from(textIn(block, 157, 100));
+  return { path, size: numberIn(block, 124, 12), type, target };
 }
 
 /** Returns the bytes of a field up to a zero. */

@@ -54,6 +54,14 @@ test.each(packers)("the files of %s are listed and read", async (_, pack) => {
   expect(await messageOf(archive.read("a"))).toBe("book.cbr has no file a; get it again.");
 });
 
+test("a link among the files of a RAR is no file less, and says what it is", async () => {
+  const archive = await openUnpacked(new Blob([fixture("rar5_hardlink.rar")]), "book.cbr");
+  expect(archive.names).toEqual(["file.txt", "hardlink.txt"]);
+  expect(await messageOf(archive.read("hardlink.txt"))).toBe(
+    "hardlink.txt in book.cbr is a link, which is not followed; pack it again with the whole file.",
+  );
+});
+
 test.each(packers)(
   "names that lead out of an archive of %s are names from its root",
   async (_, pack) => {

@@ -7,6 +7,7 @@
 import { unpack } from "../../packed.ts";
 import { bytesOf } from "../book_file.ts";
 import { cleanText } from "../book_text.ts";
+import { formatOfName } from "../formats.ts";
 import { limits } from "../limits.ts";
 import { loadPart } from "../load_part.ts";
 import { BookError } from "../page_source.ts";
@@ -15,7 +16,7 @@ import { scriptOfWorker, workerNotStarted } from "../worker_script.ts";
 import type { Archive } from "./archive.ts";
 import { marksLength, type Obstacle, obstacleIn } from "./archive_marks.ts";
 import { BlobArchive } from "./blob_archive.ts";
-import { cleanPath } from "./names.ts";
+import { cleanPath, OwnPaths } from "./names.ts";
 import type { Stop, UnpackingBounds } from "./unpacker/unpack_all.ts";
 import type { Packing } from "./unpacker/unpacker.ts";
 import type { UnpackingTask, WorkerMessage } from "./unpacker/unpacker_worker.ts";
@@ -108,6 +109,7 @@ async function unpackInWorker(
   signal?.throwIfAborted();
   return await new Promise((resolve, reject) => {
     const files = new Map<string, UnpackedFile>();
+    const paths = new OwnPaths();
     let worker: Worker | undefined;
     let timer: ReturnType<typeof setTimeout> | undefined;
     const stop = (): void => {
@@ -128,7 +130,7 @@ async function unpackInWorker(
       packing === "xz" ? name : `${quoted(path)} in ${name}`;
     const add = (path: string, file: UnpackedFile): void => {
       const clean = cleanPath(path);
-      if (clean && !files.has(clean)) files.set(clean, file);
+      if (clean) files.set(paths.take(clean), file);
     };
     const take = (message: WorkerMessage): void => {
       switch (message.kind) {
@@ -140,6 +142,9 @@ async function unpackInWorker(
           break;
         case "file":
           add(message.path, message.bytes);
+          break;
+        case "other":
+          if (formatOfName(message.path)) add(message.path, notFollowed(message.path, name));
           break;
         case "large":
           add(message.path, tooLarge(message.path, name, task.bounds.fileBytes));
@@ -214,6 +219,14 @@ function tooLarge(path: string, name: string, most: number): BookError {
   return new BookError(
     `${quoted(path)} in ${name} is larger than ${megabytes(most)} when unpacked; make it smaller.`,
     { code: "tooLarge" },
+  );
+}
+
+/** Returns the error for what is no file and named as one. */
+function notFollowed(path: string, name: string): BookError {
+  return new BookError(
+    `${quoted(path)} in ${name} is a link, which is not followed; pack it again with the whole file.`,
+    { code: "unsupported", source: name },
   );
 }
 

@@ -26,6 +26,24 @@ test("names that lead out of the archive are names from its root", async () => {
   expect(archive.names).toEqual(["a", "etc/passwd", "b", "y", "z", "good", "a/b"]);
 });
 
+test("several files of one name are there under names of their own, and those that are alike once", async () => {
+  // The names are exchanged in the bytes: fflate writes no name twice.
+  const bytes = zipSync(
+    Object.fromEntries(
+      ["1.png", "2.png", "3.png"].map((name, k) => [name, strToU8(["a", "b", "a"][k]!)]),
+    ),
+  );
+  for (let at = 0; at + 5 < bytes.length; at++) {
+    const name = text(bytes.subarray(at, at + 5));
+    if (/^[23]\.png$/.test(name)) bytes[at] = "1".charCodeAt(0);
+  }
+  const archive = await openZip(new Blob([bytes as Uint8Array<ArrayBuffer>]), "a.cbz");
+  expect(archive.names).toEqual(["1.png", "1 (2).png"]);
+  expect(text(await archive.read("1 (2).png"))).toBe("b");
+  const many = await openZip(zip({ "../a": "1", "/a": "2", "a (2)": "3", a: "4" }), "a.zip");
+  expect(many.names).toEqual(["a", "a (2)", "a (2) (2)", "a (3)"]);
+});
+
 test("a file that unpacks to more than its bound is rejected, whatever it claims", async () => {
   const bytes = zipSync({ bomb: new Uint8Array(3_000_000) });
   const archive = await openZip(new Blob([bytes as Uint8Array<ArrayBuffer>]), "bomb.zip");

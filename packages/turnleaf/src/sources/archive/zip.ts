@@ -12,7 +12,7 @@ import { loadPart } from "../load_part.ts";
 import { BookError } from "../page_source.ts";
 import type { Archive } from "./archive.ts";
 import { legacyNames } from "./legacy_names.ts";
-import { cleanPath } from "./names.ts";
+import { cleanPath, OwnPaths } from "./names.ts";
 
 // Workers would have to be allowed by the page's policy; the browser inflates in the background. What a
 // chunk is inflated to comes at once, before reading can be stopped, and Deflate makes up to 1,032 bytes of
@@ -70,11 +70,18 @@ export async function openZip(file: Blob, name: string): Promise<Archive> {
     });
   }
   const entries = new Map<string, FileEntry>();
+  const paths = new OwnPaths();
   for (const [filename, entry] of named(found)) {
     const path = cleanPath(filename);
-    if (path !== null && !entries.has(path)) entries.set(path, entry);
+    const first = path === null ? undefined : entries.get(path);
+    if (path !== null && !(first && isAlike(first, entry))) entries.set(paths.take(path), entry);
   }
   return new ZipArchive(name, entries);
+}
+
+/** Returns whether two files are the same by their check sums and lengths. */
+function isAlike(one: FileEntry, other: FileEntry): boolean {
+  return one.signature === other.signature && one.uncompressedSize === other.uncompressedSize;
 }
 
 /** Returns files with their names. */

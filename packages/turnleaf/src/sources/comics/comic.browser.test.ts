@@ -1,6 +1,6 @@
 import { strToU8, type Zippable, zipSync } from "fflate";
 import { expect, test } from "vitest";
-import { rar4, rar5, sevenZip, tar, xz } from "../../for_tests/stored_archives.ts";
+import { rar4, rar5, sevenZip, tar, tarWithLinks, xz } from "../../for_tests/stored_archives.ts";
 import { fixture } from "../archive/unpacker/fixtures_for_tests.ts";
 import { messageOf } from "../message_of.ts";
 import { openSource } from "../open.ts";
@@ -173,10 +173,45 @@ test("an archive in one that is in an archive is not opened, nor one beside a co
     "twice.cbz is packed several times over; unpack it first.",
   );
   expect(await messageOf(comic({ "inner.zip": inner }))).toBe(
-    "Hero 1.cbz has no pages: no file in it is a book or an image; open another.",
+    "Hero 1.cbz has no pages: no file in it, such as inner.zip, is a book or an image that can be shown; open another.",
   );
   const pages = { "1.png": await scan(4, 6), "2.png": await scan(4, 6) };
   expect((await comic({ ...pages, "inner.cbz": inner })).pageCount).toBe(2);
+});
+
+test("images that cannot be shown are named, whether others can or not", async () => {
+  const psd = strToU8("8BPS\0\x01");
+  expect(await messageOf(comic({ "1.psd": psd, "2.psd": psd }))).toBe(
+    "Hero 1.cbz has no pages: no file in it, such as 1.psd, is a book or an image that can be shown; open another.",
+  );
+  const { warnings } = await comic({ "1.png": await scan(4, 6), "2.psd": psd });
+  expect(warnings?.map(({ message }) => message)).toEqual([
+    "2.psd, listed in Hero 1.cbz, is no page that can be shown.",
+  ]);
+});
+
+test.each([
+  ["word/document.xml", "is a Word document (DOCX), which is not read; save it as PDF."],
+  ["FixedDocSeq.fdseq", "is an XPS document, which is not read; convert it to PDF."],
+  ["META-INF/MANIFEST.MF", "is a program (JAR), which is not read; open a book."],
+])("an archive that is a document is no comic of its pictures: %s", async (file, said) => {
+  const page = await scan(4, 6);
+  const files = { "word/media/1.png": page, "word/media/2.png": page, [file]: "<a/>" };
+  expect(await messageOf(comic(files, zip, "letter.docx"))).toBe(`letter.docx ${said}`);
+});
+
+test("links in a tar are pages, and the second of two files of one name is", async () => {
+  const page = await scan(4, 6);
+  const files = tarWithLinks({ "1.png": page }, [
+    ["2.png", "1", "1.png"],
+    ["3.png", "2", "none.png"],
+  ]);
+  const source = await openSource(new File([files], "a.cbt"));
+  expect(source.pageCount).toBe(3);
+  expect((await source.draw(1, 4, never)).width).toBe(4);
+  expect(await messageOf(source.draw(2, 4, never))).toMatch(/is a link to none\.png, which is no/);
+  const twice = rar5({ "1.png": page, "../1.png": await scan(8, 6) });
+  expect((await openSource(new File([twice], "a.cbr"))).pageCount).toBe(2);
 });
 
 test("a page that is cut off or claims 50,000 x 50,000 pixels fails alone", async () => {

@@ -3,6 +3,7 @@
 import type { Archive } from "../archive/archive.ts";
 import { type OpenInner, openInnerBook } from "../archive/inner_books.ts";
 import { isLitter } from "../archive/litter.ts";
+import { unreadArchive } from "../archive/unread_archives.ts";
 import { cleanText } from "../book_text.ts";
 import { decodeText } from "../decode_text.ts";
 import {
@@ -18,7 +19,13 @@ import { ImageSource } from "../images.ts";
 import { limits } from "../limits.ts";
 import { loadPart } from "../load_part.ts";
 import type { ImagePage, StoredImage } from "../manifest.ts";
-import { BookError, type OutlineEntry, type PageSize, type PageSource } from "../page_source.ts";
+import {
+  BookError,
+  type BookWarning,
+  type OutlineEntry,
+  type PageSize,
+  type PageSource,
+} from "../page_source.ts";
 import {
   layOutStrips,
   type PageFormat,
@@ -85,6 +92,9 @@ export async function openComic(
   openInner: OpenInner,
 ): Promise<PageSource> {
   try {
+    const refusal = unreadArchive(archive.names);
+    if (refusal !== null)
+      throw new BookError(`${name} ${refusal}`, { code: "unsupported", source: name });
     const inner = await openInnerBook(archive, name, openInner);
     if (inner) return inner;
     const warnings = new WarningList();
@@ -92,9 +102,8 @@ export async function openComic(
     const leftOut = (path: string): void => warnings.add(warningOf("page", path, name));
     const files = await pagesIn(archive, budget, leftOut);
     if (files.length === 0) {
-      const reason =
-        archive.names.length === 0 ? "it is empty" : "no file in it is a book or an image";
-      throw new BookError(`${name} has no pages: ${reason}; open another.`, {
+      const what = archive.names.length === 0 ? "it is empty" : noPages(warnings.all);
+      throw new BookError(`${name} has no pages: ${what}; open another.`, {
         code: "empty",
         source: name,
       });
@@ -141,6 +150,14 @@ export async function openComic(
     archive.close();
     throw error;
   }
+}
+
+/** Returns why an archive has no pages, with the name of one of the files that are none. */
+function noPages(leftOut: readonly BookWarning[]): string {
+  const [first] = leftOut;
+  return first
+    ? `no file in it, such as ${first.source}, is a book or an image that can be shown`
+    : "no file in it is a book or an image";
 }
 
 /** Throws a `BookError` if a comic has too many images. */

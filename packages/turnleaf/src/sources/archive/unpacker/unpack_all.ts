@@ -21,6 +21,8 @@ export type Stop = "damaged" | "encrypted" | "entries" | "bytes";
 export type Unpacked =
   | { readonly kind: "file"; readonly path: string; readonly bytes: Blob }
   | { readonly kind: "large"; readonly path: string }
+  /** A folder or a link. */
+  | { readonly kind: "other"; readonly path: string }
   | { readonly kind: "damaged"; readonly path: string; readonly detail: string }
   | { readonly kind: "end" }
   | { readonly kind: "failed"; readonly stop: Stop; readonly detail: string };
@@ -54,7 +56,11 @@ function* filesOf(unpacker: Unpacker, bounds: UnpackingBounds): Generator<Unpack
     if (entries > bounds.entries) return yield failed("entries");
     if (unpacker.isEncrypted()) return yield failed("encrypted");
     const path = unpacker.path(bounds.pathLength);
-    if (!unpacker.isFile() || path === null) continue;
+    if (path === null) continue;
+    if (!unpacker.isFile()) {
+      yield { kind: "other", path };
+      continue;
+    }
     try {
       const parts: Uint8Array<ArrayBuffer>[] = [];
       let length = 0;
