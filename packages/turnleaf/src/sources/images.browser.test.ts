@@ -1,6 +1,7 @@
 import { zipSync } from "fflate";
 import { afterEach, describe, expect, it, vi } from "vitest";
 import { hugeImages } from "../for_tests/huge_images.ts";
+import { listImages } from "./formats.ts";
 import { limits } from "./limits.ts";
 import { messageOf } from "./message_of.ts";
 import { openSource } from "./open.ts";
@@ -278,6 +279,34 @@ describe("an SVG", () => {
   });
 
   it.each([
+    [
+      "without its namespace",
+      '<svg viewBox="0 0 9 9"><rect width="9" height="9" fill="#00f"/></svg>',
+    ],
+    [
+      "whose namespace is empty",
+      '<svg xmlns="" viewBox="0 0 9 9"><rect width="9" height="9" fill="#00f"/></svg>',
+    ],
+    [
+      "whose prefix is not declared",
+      '<s:svg viewBox="0 0 9 9"><s:rect width="9" height="9" fill="#00f"/></s:svg>',
+    ],
+    [
+      "whose links' prefix is not declared",
+      '<svg viewBox="0 0 9 9"><rect id="a" width="9" height="9" fill="#00f"/><use xlink:href="#a"/></svg>',
+    ],
+    [
+      "with a bare ampersand, and a tag without an end",
+      '<svg viewBox="0 0 9 9"><title>A & B &nbsp;</title><g><rect width="9" height="9" fill="#00f"/></svg>',
+    ],
+  ])("%s is drawn", async (_, text) => {
+    const source = await open(text);
+    const pen = new OffscreenCanvas(9, 9).getContext("2d")!;
+    pen.drawImage(await source.draw(0, 9, never), 0, 0);
+    expect([...pen.getImageData(4, 4, 1, 1).data]).toEqual([0, 0, 255, 255]);
+  });
+
+  it.each([
     ["UTF-16", [0xff, 0xfe], 2],
     ["windows-1251", [], 1],
   ] as const)("in %s is drawn, whatever its encoding", async (encoding, mark, width) => {
@@ -343,7 +372,9 @@ describe("an SVG", () => {
       await image(9, 9),
     ]);
     expect((await source.draw(0, 20, never)).height).toBe(30);
-    expect(await messageOf(source.draw(1, 20, never))).toMatch(/^Page 2 of This book is damaged/);
+    expect(await messageOf(source.draw(1, 20, never))).toBe(
+      `Page 2 of This book is damaged or no image; ${listImages()} can be shown.`,
+    );
     expect((await source.draw(2, 20, never)).width).toBe(9);
   });
 });

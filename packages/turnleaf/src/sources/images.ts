@@ -155,9 +155,9 @@ export class ImageSource implements PageSource {
     const known = this.#sizes[index];
     if (known && this.#measured.has(index)) return known;
     const pixels = await measure(image).catch(async () => {
-      throw (await isPdf(image)) ? this.#misplacedPdf(index) : this.#undecodable(index, image);
+      throw (await isPdf(image)) ? this.#misplacedPdf(index) : this.#undecodable(index);
     });
-    if (!isPageSize(pixels)) throw this.#undecodable(index, image);
+    if (!isPageSize(pixels)) throw this.#undecodable(index);
     if (!isSvg(image) && pixels.width * pixels.height > limits.imagePixels) {
       throw new BookError(
         `${this.#place(index)} has ${pixels.width} x ${pixels.height} pixels, more than can be shown; make it smaller.`,
@@ -188,13 +188,14 @@ export class ImageSource implements PageSource {
     try {
       if (part !== null && isSvg(image)) {
         const { drawSvg } = await loadPart(import("./svg.ts"));
-        return await drawSvg(image, part, pixels, this.#place(index));
+        const about = { page: index + 1, source: this.#book.name };
+        return await drawSvg(image, part, pixels, this.#place(index), about);
       }
       if (part === null) return await bitmapOf(image, options);
       const whole = await bitmapOf(image);
       return await cropImage(whole, part, pixels).finally(() => whole.close());
     } catch (error) {
-      throw error instanceof BookError ? error : this.#undecodable(index, image);
+      throw error instanceof BookError ? error : this.#undecodable(index);
     }
   }
 
@@ -223,7 +224,7 @@ export class ImageSource implements PageSource {
       return await drawStripPage(strip, page, part, pixels);
     } catch (error) {
       if (error instanceof BookError || signal.aborted) throw error;
-      throw this.#undecodable(index, image, place);
+      throw this.#undecodable(index, place);
     }
   }
 
@@ -316,13 +317,12 @@ export class ImageSource implements PageSource {
     });
   }
 
-  #undecodable(index: number, image: Blob, place = this.#place(index)): BookError {
-    return new BookError(
-      isSvg(image)
-        ? `${place} is damaged, or this page's Content-Security-Policy lacks data: in img-src, by which an SVG is drawn.`
-        : `${place} is damaged or no image; ${listImages()} can be shown.`,
-      { code: "damaged", page: index + 1, source: this.#book.name },
-    );
+  #undecodable(index: number, place = this.#place(index)): BookError {
+    return new BookError(`${place} is damaged or no image; ${listImages()} can be shown.`, {
+      code: "damaged",
+      page: index + 1,
+      source: this.#book.name,
+    });
   }
 
   /** "Page 3 of atlas.json (003.jpg)". */

@@ -6,10 +6,15 @@
 
 import { checkSvg } from "./budget.ts";
 import { decodeText } from "./decode_text.ts";
-import type { PageBox, PageSize } from "./page_source.ts";
+import { loadPart } from "./load_part.ts";
+import { errorIn, parseMarkup } from "./markup/parse_markup.ts";
+import { BookError, type BookErrorDetail, type PageBox, type PageSize } from "./page_source.ts";
 
 /** What the root's tag begins with. */
 const rootStart = /<(?:[\w-]+:)?svg(?=[\s/>])/i;
+
+/** The namespace of its elements, without which browsers draw nothing. */
+const namespace = "http://www.w3.org/2000/svg";
 
 /** A tag from where the next match is to be; quoted values may contain anything. */
 const wholeTag = /<(?:[^>"']|"[^"]*"|'[^']*')*>/y;
@@ -36,20 +41,54 @@ const units: Readonly<Record<string, number>> = {
   q: 96 / 101.6,
 };
 
-/** Images that were counted against the budget. */
-const checked = new WeakMap<Blob, Promise<void>>();
+/** Images as they are drawn, which were counted against the budget. */
+const drawings = new WeakMap<Blob, Promise<Drawing>>();
 
 /** Size of an image without any, as CSS defines. */
 const usualSize: PageSize = { width: 300, height: 150 };
 
-/** Reads an image. Rejects if it has no root. */
-async function read(image: Blob): Promise<Drawing> {
-  const text = await decodeText(new Uint8Array(await image.arrayBuffer()));
+async function textOf(image: Blob): Promise<string> {
+  return await decodeText(new Uint8Array(await image.arrayBuffer()));
+}
+
+/** Finds the root's tag. Throws if there is none. */
+function drawingOf(text: string): Drawing {
   wholeTag.lastIndex = rootStart.exec(text)?.index ?? text.length;
   const found = wholeTag.exec(text);
   if (found === null) throw new Error("There is no <svg>.");
   const [tag] = found;
   return { before: text.slice(0, found.index), tag, after: text.slice(found.index + tag.length) };
+}
+
+/**
+ * Returns an image as it can be drawn: its root in the namespace of SVG, and repaired if it is not well-formed.
+ * Rejects if it cannot be, and with a `BookError` if it is beyond the budget.
+ */
+async function drawable(image: Blob, name: string): Promise<Drawing> {
+  let drawing = withNamespace(drawingOf(await textOf(image)));
+  let text = whole(drawing);
+  if (errorIn(parseMarkup(text, "image/svg+xml"))) {
+    // What is repaired has no entities of its own, which multiply.
+    if (/<!ENTITY/i.test(text)) throw new Error("It is not well-formed.");
+    const { readMarkup } = await loadPart(import("./markup/read_markup.ts"));
+    const repaired = await readMarkup(text, "image/svg+xml");
+    if (errorIn(repaired.document)) throw new Error("It is not well-formed.");
+    text = repaired.text;
+    drawing = drawingOf(text);
+  }
+  await checkSvg(text, name);
+  return drawing;
+}
+
+const whole = ({ before, tag, after }: Drawing): string => before + tag + after;
+
+/** Returns a drawing whose root is in the namespace of SVG, by its prefix if it has one. */
+function withNamespace({ before, tag, after }: Drawing): Drawing {
+  const [start = "", prefix] = /^<(?:([\w-]+):)?\w+/.exec(tag) ?? [];
+  const declaration = prefix === undefined ? "xmlns" : `xmlns:${prefix}`;
+  if (attribute(tag, declaration)) return { before, tag, after };
+  const bare = tag.replace(/\sxmlns\s*=\s*(""|'')/, "").slice(start.length);
+  return { before, tag: `${start} ${declaration}="${namespace}"${bare}`, after };
 }
 
 function attribute(tag: string, name: string): string | undefined {
@@ -86,28 +125,33 @@ function sizeOf(tag: string): PageSize {
 
 /** Returns an SVG's size in CSS pixels. Rejects if it is not an SVG. */
 export async function sizeOfSvg(image: Blob): Promise<PageSize> {
-  const { tag } = await read(image);
-  return sizeOf(tag);
+  return sizeOf(drawingOf(await textOf(image)).tag);
 }
 
 /**
- * Draws a part of an SVG, in its own pixels, so that it has `pixels`. Rejects
- * if it is not an SVG, and if the page's policy does not allow images as data;
- * with a `BookError` that begins with its `name` if it is beyond the budget.
+ * Draws a part of an SVG, in its own pixels, so that it has `pixels`. Rejects if it is not an SVG; with a
+ * `BookError` that begins with its `name` if it is beyond the budget, and if the page's policy does not
+ * allow images as data.
+ *
+ * @param about what errors are about
  */
 export async function drawSvg(
   image: Blob,
   part: PageBox,
   pixels: PageSize,
   name: string,
+  about: BookErrorDetail,
 ): Promise<ImageBitmap> {
-  const { before, tag, after } = await read(image);
-  const checking = checked.get(image) ?? checkSvg(before + tag + after, name);
-  checked.set(image, checking);
-  await checking;
+  const drawing = drawings.get(image) ?? drawable(image, name);
+  drawings.set(image, drawing);
+  const { before, tag, after } = await drawing;
   const picture = new Image();
   picture.src = `data:image/svg+xml;charset=utf-8,${encodeURIComponent(before + sized(tag) + after)}`;
-  await picture.decode();
+  await picture.decode().catch((cause: unknown) => {
+    const remedy = "if this page has a Content-Security-Policy, allow data: in its img-src";
+    const message = `${name} cannot be drawn by this browser; ${remedy}.`;
+    throw new BookError(message, { ...about, code: "failed", cause });
+  });
   // In Chromium embedded fonts are ready one task later.
   await new Promise((resolve) => setTimeout(resolve));
   const canvas = new OffscreenCanvas(pixels.width, pixels.height);
