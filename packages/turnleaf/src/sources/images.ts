@@ -8,6 +8,7 @@ import { fitPixels, isPageSize, limits, wholePage } from "./limits.ts";
 import { loadPart } from "./load_part.ts";
 import type { ImageBook, ImagePage, StoredImage, StripPage } from "./manifest.ts";
 import {
+  type BookDetail,
   BookError,
   type BookWarning,
   type OutlineEntry,
@@ -35,6 +36,8 @@ const keptImages = 6;
  */
 export class ImageSource implements PageSource {
   readonly title: string;
+  readonly authors: PageSource["authors"];
+  readonly details: readonly BookDetail[];
   readonly language: string;
   readonly direction: "ltr" | "rtl";
   readonly kind: "typeset" | "scan";
@@ -52,6 +55,8 @@ export class ImageSource implements PageSource {
 
   constructor(book: ImageBook) {
     this.title = book.title;
+    this.authors = book.authors;
+    this.details = (book.authors ?? []).map((value) => ({ label: "", value }));
     this.language = book.language;
     this.direction = book.direction;
     this.kind = book.kind;

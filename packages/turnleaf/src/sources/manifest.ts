@@ -72,6 +72,7 @@ export interface ImageBook {
   /** The book's name in sentences: its file's name. */
   readonly name: string;
   readonly title: string;
+  readonly authors?: readonly string[];
   readonly language: string;
   readonly direction: "ltr" | "rtl";
   readonly kind: "typeset" | "scan";

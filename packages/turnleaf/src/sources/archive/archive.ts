@@ -4,6 +4,8 @@
 export interface Archive {
   /** The names of its files, as paths from its root, in the archive's order. */
   readonly names: readonly string[];
+  /** What is written about the whole of it, as a ZIP may have. */
+  readonly comment?: string;
   /** Returns the length in bytes that a file claims; 0 if there is none of this name. */
   size(name: string): number;
   /**

@@ -76,7 +76,7 @@ export async function openZip(file: Blob, name: string): Promise<Archive> {
     const first = path === null ? undefined : entries.get(path);
     if (path !== null && !(first && isAlike(first, entry))) entries.set(paths.take(path), entry);
   }
-  return new ZipArchive(name, entries);
+  return new ZipArchive(name, entries, new TextDecoder().decode(reader.comment));
 }
 
 /** Returns whether two files are the same by their check sums and lengths. */
@@ -97,10 +97,12 @@ function named(files: readonly FileEntry[]): [name: string, file: FileEntry][] {
 
 class ZipArchive implements Archive {
   readonly names: readonly string[];
+  readonly comment: string;
   readonly #name: string;
   #entries: ReadonlyMap<string, FileEntry>;
 
-  constructor(name: string, entries: ReadonlyMap<string, FileEntry>) {
+  constructor(name: string, entries: ReadonlyMap<string, FileEntry>, comment: string) {
+    this.comment = comment;
     this.#name = name;
     this.#entries = entries;
     this.names = [...entries.keys()];

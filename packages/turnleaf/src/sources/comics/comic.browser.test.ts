@@ -113,6 +113,81 @@ test("ComicInfo.xml gives title, language, direction, double and deleted pages, 
   ]);
 });
 
+const statements: readonly [name: string, text: string][] = [
+  [
+    "ComicInfo.xml",
+    "<ComicInfo><Series>Hero</Series><Number>3</Number><Title>Dawn</Title><Writer>Ann A, Bo B</Writer><LanguageISO>ja</LanguageISO><Manga>YesAndRightToLeft</Manga></ComicInfo>",
+  ],
+  [
+    "MetronInfo.xml",
+    `<MetronInfo><Publisher><Name>P</Name></Publisher><Series lang="ja"><Name>Hero</Name></Series><Number>3</Number>
+      <Stories><Story>Dawn</Story></Stories><Credits>
+      <Credit><Creator>Dee D</Creator><Roles><Role>Letterer</Role></Roles></Credit>
+      <Credit><Creator>Ann A</Creator><Roles><Role>Artist</Role><Role>Writer</Role></Roles></Credit>
+      <Credit><Creator>Bo B</Creator><Roles><Role>Writer</Role></Roles></Credit></Credits></MetronInfo>`,
+  ],
+  [
+    "CoMet.xml",
+    `<comet xmlns="http://www.denvog.com/comet/"><title>Dawn</title><series>Hero</series><issue>3</issue>
+      <writer>Ann A</writer><writer>Bo B</writer><language>ja</language><readingDirection>rtl</readingDirection></comet>`,
+  ],
+  [
+    "hero.acbf",
+    `<ACBF xmlns="http://www.acbf.info/xml/acbf/1.1"><meta-data><book-info>
+      <author><first-name>Ann</first-name><last-name>A</last-name></author><author><nickname>Bo B</nickname></author>
+      <book-title lang="ja">Dawn</book-title><sequence title="Hero">3</sequence>
+      <reading-direction>RTL</reading-direction></book-info></meta-data></ACBF>`,
+  ],
+];
+
+test.each(statements)("%s says title, authors, language and direction", async (name, text) => {
+  const source = await comic({ "1.png": await scan(4, 6), [name]: text });
+  expect([source.title, source.authors, source.language]).toEqual([
+    "Hero 3: Dawn",
+    ["Ann A", "Bo B"],
+    "ja",
+  ]);
+  expect(source.direction).toBe(name === "MetronInfo.xml" ? "ltr" : "rtl");
+  expect(source.details?.map(({ value }) => value)).toEqual(["Ann A", "Bo B"]);
+});
+
+test("the comment of a ZIP says what the comic is, where no file does", async () => {
+  const info = {
+    ...{ title: "Dusk", series: "Hero", issue: 4, language: "English" },
+    credits: [{ person: "Ann A", role: "Writer" }, { person: "Dee D", role: "Letterer" }, 7],
+  };
+  const comment = strToU8(JSON.stringify({ appID: "a", "ComicBookInfo/1.0": info }));
+  const withComment: Pack = (files) => {
+    const bytes = zip(files);
+    // The end of a ZIP has the length of what is written behind it.
+    bytes.set([comment.length & 255, comment.length >> 8], bytes.length - 2);
+    return Uint8Array.from([...bytes, ...comment]);
+  };
+  const page = { "1.png": await scan(4, 6) };
+  const source = await comic(page, withComment);
+  expect([source.title, source.authors, source.language]).toEqual(["Hero 4: Dusk", ["Ann A"], ""]);
+  const stated = { ...page, "ComicInfo.xml": "<ComicInfo><Title>Dawn</Title></ComicInfo>" };
+  const both = await comic(stated, withComment);
+  expect([both.title, both.authors]).toEqual(["Dawn", ["Ann A"]]);
+});
+
+test("an ACBF says the order of the pages and the cover, CoMet the cover, by their files", async () => {
+  const pages = Object.fromEntries(
+    await Promise.all(
+      [1, 2, 3, 4].map(async (k) => [`b/${k}.png`, await scan(36 + 2 * k, 60)] as const),
+    ),
+  );
+  const widths = async (source: PageSource): Promise<number[]> =>
+    await Promise.all(
+      Array.from({ length: source.pageCount }, async (_, k) => (await source.size(k)).width),
+    );
+  const acbf = `<ACBF><meta-data><book-info><coverpage><image href="4.png"/></coverpage></book-info></meta-data>
+    <body><page><image href="3.png"/></page><page><image href="1.png"/></page><page><image href="none.png"/></page></body></ACBF>`;
+  expect(await widths(await comic({ ...pages, "b/book.acbf": acbf }))).toEqual([44, 42, 38, 40]);
+  const comet = "<comet><coverImage>b/3.png</coverImage></comet>";
+  expect(await widths(await comic({ ...pages, "CoMet.xml": comet }))).toEqual([42, 38, 40, 44]);
+});
+
 test.each([
   [
     "entities",

@@ -5,7 +5,6 @@ import { type OpenInner, openInnerBook } from "../archive/inner_books.ts";
 import { isLitter } from "../archive/litter.ts";
 import { unreadArchive } from "../archive/unread_archives.ts";
 import { cleanText } from "../book_text.ts";
-import { decodeText } from "../decode_text.ts";
 import {
   archiveOfName,
   formatOfName,
@@ -33,7 +32,8 @@ import {
   type StripImage,
 } from "../strip_pages.ts";
 import { WarningList, warningOf } from "../warnings.ts";
-import { type ComicInfo, noInfo, readComicInfo } from "./comic_info.ts";
+import type { ComicMetadata } from "./comic_metadata.ts";
+import { statedMetadata } from "./stated_metadata.ts";
 import { withDigits } from "./written_numbers.ts";
 
 /** Returns whether a name says that a file is an image. */
@@ -67,9 +67,6 @@ const atOnce = 4;
  * number; images are about as long as they are packed, and those of larger comics are measured when they are drawn.
  */
 const mostUnpacked = limits.archiveBytes / 2;
-
-/** Bytes of a ComicInfo.xml: some 100 for each page. */
-const infoBytes = 4_000_000;
 
 /**
  * A scan is of both pages of a spread if its proportions, width over height,
@@ -109,16 +106,18 @@ export async function openComic(
       });
     }
     checkCount(files.length, name);
-    const info = await readInfo(archive, (path) => {
+    const info = await statedMetadata(archive, (path) => {
       warnings.add(warningOf("contents", path, name));
     });
     await checkReadable(archive, files);
-    const scans = coversAtEnds(await measureAll(archive, files, info, budget, name));
+    const direction = info.direction ?? "ltr";
+    const measured = await measureAll(archive, files, info, budget, name);
+    const scans = info.order.length > 0 ? inStatedOrder(measured, info) : coversAtEnds(measured);
     const { format, images } = await layOutStrips(scans.map(stripImageOf));
     const pages: Page[] = [];
     for (const [k, scan] of scans.entries()) {
       const { pages: strip = null, isOnPageBefore = false } = images[k] ?? {};
-      const own = pagesOf(scan, info.direction, format, strip);
+      const own = pagesOf(scan, direction, format, strip);
       const before = isOnPageBefore ? pages.at(-1) : undefined;
       if (before) before.bookmark ||= scan.bookmark;
       else if (own[0]) own[0].bookmark = scan.bookmark;
@@ -133,7 +132,8 @@ export async function openComic(
       name,
       title: info.title || name.replace(/\.(cb[rz7t]|rar|7z|tar)$/i, "") || name,
       language: info.language,
-      direction: info.direction,
+      direction,
+      authors: info.authors,
       kind: "scan",
       pages: pages.map(({ page }) => page),
       outline: pages.flatMap(({ bookmark }, index) => lineOf(bookmark, index)),
@@ -236,7 +236,7 @@ const isNamedCover = ({ path }: Scan): boolean => coverName.test(nameOf(path));
 const isNamedBack = ({ path }: Scan): boolean => backCoverName.test(nameOf(path));
 
 /**
- * Returns scans with the front cover before all others, if ComicInfo.xml or its own name says that it is one,
+ * Returns scans with the front cover before all others, if it is stated or its own name says that it is one,
  * and with other covers at the ends of their folders.
  */
 function coversAtEnds(scans: readonly Scan[]): readonly Scan[] {
@@ -262,24 +262,19 @@ function coversAtEnds(scans: readonly Scan[]): readonly Scan[] {
   const ordered = placed.map(({ scan }) => scan);
   const cover = scans.find(({ isFront }) => isFront) ?? ordered.find(isNamedCover);
   const all = cover ? [cover, ...ordered.filter((scan) => scan !== cover)] : ordered;
-  return all.map((scan, index) => ({
-    ...scan,
-    isCover: index === 0 || index === all.length - 1,
-  }));
+  return withCovers(all);
 }
 
-/** Returns what the archive's ComicInfo.xml says; nothing if it has none that can be read. */
-async function readInfo(archive: Archive, damaged: (path: string) => void): Promise<ComicInfo> {
-  const name = archive.names.find((path) => /^([^/]+\/)?ComicInfo\.xml$/i.test(path));
-  if (name === undefined) return noInfo;
-  try {
-    return await readComicInfo(await decodeText(await archive.read(name, infoBytes)));
-  } catch {
-    // It is about the pages; without it they are still there.
-    damaged(name);
-    return noInfo;
-  }
+/** Returns scans with the front cover first, then in the order that is stated, and last those of which nothing is. */
+function inStatedOrder(scans: readonly Scan[], { order }: ComicMetadata): readonly Scan[] {
+  const places = new Map([...order.entries()].reverse().map(([place, path]) => [path, place]));
+  const placeOf = ({ path, isFront }: Scan): number =>
+    isFront ? -1 : (places.get(path) ?? order.length);
+  return withCovers([...scans].sort((a, b) => placeOf(a) - placeOf(b)));
 }
+
+const withCovers = (scans: readonly Scan[]): readonly Scan[] =>
+  scans.map((scan, k) => ({ ...scan, isCover: k === 0 || k === scans.length - 1 }));
 
 /** An image of the archive. */
 interface Scan {
@@ -292,7 +287,7 @@ interface Scan {
   /** Whether ComicInfo.xml says that it is of two pages; null if it does not say. */
   readonly double: boolean | null;
   readonly bookmark: string;
-  /** Whether ComicInfo.xml says that it is the front cover. */
+  /** Whether it is stated that it is the front cover. */
   readonly isFront: boolean;
   /** Whether it is the first or the last, which are covers. */
   readonly isCover: boolean;
@@ -312,7 +307,7 @@ function hasLeft(budget: Budget, bytes: number): boolean {
 async function measureAll(
   archive: Archive,
   files: readonly string[],
-  info: ComicInfo,
+  info: ComicMetadata,
   budget: Budget,
   name: string,
 ): Promise<Scan[]> {
@@ -327,7 +322,7 @@ async function measureAll(
       const about = {
         double: page?.double ?? null,
         bookmark: page?.bookmark ?? "",
-        isFront: page?.isCover ?? false,
+        isFront: page?.isCover ?? path === info.cover,
       };
       const scans = await measureFile(archive, path, about, budget);
       found[index] = scans;
