@@ -64,8 +64,9 @@ const apart = [
     "reads other formats",
     // Alignment, division of words, running heads and folios; tables that are turned and split, switches; XZ.
     // Packages, contents and chapters however they are written. What lies beyond its page, formulas, heights.
-    263,
-    `${readers().join(" ")} budget clean_markup data_url font_type html_pages legacy_names media_overlays names package_document parse_markup svg unpacker unpacker_worker.ts writing_direction decode_text`,
+    // What files are that are not opened, links in tars, what several programs write of a comic.
+    268.5,
+    `${readers().join(" ")} budget clean_markup data_url file_paths font_type html_pages legacy_names media_overlays names package_document parse_markup svg unpacker unpacker_worker.ts writing_direction decode_text`,
   ),
   part("decodes TIFF and JPEG 2000", 60, "rare_images rare_size tiff_pages decoder_worker.ts"),
   part("cuts strips into pages", 2, "strips"),
