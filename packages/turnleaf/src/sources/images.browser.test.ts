@@ -307,6 +307,14 @@ describe("an SVG", () => {
   });
 
   it.each([
+    ["in another namespace", '<svg xmlns="http://example.org/" viewBox="0 0 9 9"/>'],
+    ["in capitals", '<SVG viewBox="0 0 9 9"/>'],
+  ])("%s is none", async (_, text) => {
+    const source = await open(text);
+    expect(await messageOf(source.draw(0, 9, never))).toMatch(/is damaged or no image; PNG, /);
+  });
+
+  it.each([
     ["UTF-16", [0xff, 0xfe], 2],
     ["windows-1251", [], 1],
   ] as const)("in %s is drawn, whatever its encoding", async (encoding, mark, width) => {

@@ -67,14 +67,17 @@ function drawingOf(text: string): Drawing {
 async function drawable(image: Blob, name: string): Promise<Drawing> {
   let drawing = withNamespace(drawingOf(await textOf(image)));
   let text = whole(drawing);
-  if (errorIn(parseMarkup(text, "image/svg+xml"))) {
+  let document = parseMarkup(text, "image/svg+xml");
+  if (errorIn(document)) {
     // What is repaired has no entities of its own, which multiply.
     if (/<!ENTITY/i.test(text)) throw new Error("It is not well-formed.");
     const { readMarkup } = await loadPart(import("./markup/read_markup.ts"));
-    const repaired = await readMarkup(text, "image/svg+xml");
-    if (errorIn(repaired.document)) throw new Error("It is not well-formed.");
-    text = repaired.text;
+    ({ text, document } = await readMarkup(text, "image/svg+xml"));
     drawing = drawingOf(text);
+  }
+  const { localName, namespaceURI } = document.documentElement;
+  if (errorIn(document) || localName !== "svg" || namespaceURI !== namespace) {
+    throw new Error("It is no SVG.");
   }
   await checkSvg(text, name);
   return drawing;

@@ -46,3 +46,10 @@ test.each([
 ])("of a file that begins with %j it is said what it is, and what to do", (text, expected) => {
   expect(sentence(text)).toMatch(expected);
 });
+
+test("a later part of an archive is known by its name alone", () => {
+  const start = Uint8Array.of(2, 3, 4);
+  for (const name of ["a.7z.002", "a.z01", "a.R00"]) {
+    expect(refusalOf({ start, type: "", name }).reason, name).toMatch(/one part of an archive/);
+  }
+});

@@ -113,6 +113,11 @@ const unread: readonly FileFormat[] = [
     "open the file of this name without ._ at its beginning",
   ),
   row(starts("L\0\0\0\x01\x14\x02\0"), "is a shortcut to a file", "open the file itself"),
+  row(
+    ({ name = "" }) => /\.(0\d\d|[rz]\d\d)$/i.test(name),
+    "is, by its name, one part of an archive in several",
+    "unpack all its parts together, and pack them as one",
+  ),
   archive("ACE (as CBA)", 7, "**ACE**"),
   archive("LHA", 2, "-lh"),
   archive("ARJ", 0, "\x60\xea"),

@@ -1,7 +1,7 @@
 /** Books that are packed in an archive, as mails, servers and programs that sort books pack them. */
 
 import { cleanText } from "../book_text.ts";
-import { type FileFormat, formatOfName } from "../formats.ts";
+import { archiveOfName, type FileFormat, formatOfName } from "../formats.ts";
 import { limits } from "../limits.ts";
 import { BookError, type PageSource } from "../page_source.ts";
 import type { Archive } from "./archive.ts";
@@ -43,7 +43,7 @@ export async function openInnerBook(
 
 /**
  * Returns the books in an archive, by the names of its files: one file of each. Empty if it is a comic, which
- * has images; one image may be a book's cover. A text alone is a book, unless the archive is named as a comic.
+ * has images; one image may be a book's cover. An archive is one where there is no other, and a text alone, unless the archive is named as a comic.
  *
  * @param name of the archive
  */
@@ -60,6 +60,8 @@ function innerBooks(names: readonly string[], name: string): readonly string[] {
     if (other === undefined || rankOf(file) < rankOf(other)) books.set(title, file);
   }
   if (books.size > 0) return [...books.values()];
+  const archives = files.filter((file) => archiveOfName(file) !== null);
+  if (archives.length > 0 && images === 0) return archives;
   const texts = ofFamily("text");
   const isText = texts.length === 1 && images === 0 && formatOfName(name)?.family !== "comic";
   return isText ? texts : [];

@@ -4,7 +4,7 @@
 const unread: readonly (readonly [file: RegExp, what: string, remedy: string])[] = [
   [/^word\/document\.xml$/, "a Word document (DOCX)", "save it as PDF"],
   [/^xl\/workbook\.(xml|bin)$/, "a table of Excel (XLSX)", "save it as PDF"],
-  [/^ppt\/presentation\.xml$/, "slides of PowerPoint (PPTX)", "save it as PDF"],
+  [/^ppt\/presentation\.xml$/, "a presentation of PowerPoint (PPTX)", "save it as PDF"],
   [/^(FixedDocSeq|FixedDocumentSequence)\.fdseq$/, "an XPS document", "convert it to PDF"],
   [/^Index\/(Document|Presentation)\.iwa$/, "a document of Pages or Keynote", "save it as PDF"],
   [/^visio\/document\.xml$/, "a drawing of Visio", "save it as PDF"],

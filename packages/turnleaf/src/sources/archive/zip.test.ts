@@ -1,4 +1,4 @@
-import { strToU8, zipSync } from "fflate";
+import { strToU8, type Zippable, zipSync } from "fflate";
 import { expect, test } from "vitest";
 import { limits } from "../limits.ts";
 import { messageOf } from "../message_of.ts";
@@ -42,6 +42,19 @@ test("several files of one name are there under names of their own, and those th
   expect(text(await archive.read("1 (2).png"))).toBe("b");
   const many = await openZip(zip({ "../a": "1", "/a": "2", "a (2)": "3", a: "4" }), "a.zip");
   expect(many.names).toEqual(["a", "a (2)", "a (2) (2)", "a (3)"]);
+});
+
+test("a link says that it is one, and so does a part of an archive", async () => {
+  const link = { "2.png": [strToU8("1.png"), { os: 3, attrs: 0o120777 << 16 }] } as const;
+  const bytes = zipSync({ "1.png": strToU8("a"), ...link } as unknown as Zippable);
+  const archive = await openZip(new Blob([bytes as Uint8Array<ArrayBuffer>]), "a.cbz");
+  expect(await messageOf(archive.read("2.png"))).toBe(
+    "2.png in a.cbz is a link, which is not followed; pack it again with the whole file.",
+  );
+  const part = new Blob(["PK\x07\x08", zip({ a: "b" }).slice(0, 40)]);
+  expect(await messageOf(openZip(part, "a.z01"))).toBe(
+    "a.z01 is one part of an archive in several; unpack all its parts together, and pack them as one.",
+  );
 });
 
 test("a file that unpacks to more than its bound is rejected, whatever it claims", async () => {

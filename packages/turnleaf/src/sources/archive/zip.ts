@@ -79,6 +79,10 @@ export async function openZip(file: Blob, name: string): Promise<Archive> {
   return new ZipArchive(name, entries, new TextDecoder().decode(reader.comment));
 }
 
+/** Returns whether a file is a symbolic link, as Unix packs them: by the kind of file in its mode. */
+const isLink = ({ externalFileAttributes }: FileEntry): boolean =>
+  externalFileAttributes >>> 28 === 0xa;
+
 /** Returns whether two files are the same by their check sums and lengths. */
 function isAlike(one: FileEntry, other: FileEntry): boolean {
   return one.signature === other.signature && one.uncompressedSize === other.uncompressedSize;
@@ -134,6 +138,12 @@ class ZipArchive implements Archive {
         source: this.#name,
       });
     }
+    if (isLink(entry)) {
+      throw new BookError(
+        `${name} in ${this.#name} is a link, which is not followed; pack it again with the whole file.`,
+        { code: "unsupported", source: name },
+      );
+    }
     const packing = notUnpacked.get(entry.compressionMethod);
     if (packing !== undefined) {
       throw new BookError(
@@ -182,12 +192,17 @@ const reasons: readonly (readonly [RegExp, string])[] = [
     /format is not recognized|header not found/,
     "it is no ZIP file, or its list of files is damaged",
   ],
-  [/^Split zip/, "it is one of several parts"],
   [/Invalid|CRC/, "some of its bytes are wrong"],
 ];
 
 function damaged(what: string, error: unknown): BookError {
   const said = error instanceof Error ? error.message : "";
+  if (/^Split zip/.test(said)) {
+    return new BookError(
+      `${what} is one part of an archive in several; unpack all its parts together, and pack them as one.`,
+      { code: "damaged", source: what, cause: error },
+    );
+  }
   const reason = reasons.find(([found]) => found.test(said))?.[1];
   if (reason !== undefined && !(error instanceof BookError)) {
     const sentence = `${what} is damaged: ${reason}; repair it or get it again.`;

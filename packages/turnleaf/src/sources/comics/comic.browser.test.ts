@@ -241,14 +241,20 @@ test("the book that is packed in an archive is read, and one of several is to be
   );
 });
 
+test("an archive in an archive is the book, where there is no other, and of several one is to be chosen", async () => {
+  const inner = zipSync({ "1.png": await scan(4, 6), "2.png": await scan(4, 6) });
+  expect((await comic({ "b/inner.zip": inner, "readme.txt": "a" })).pageCount).toBe(2);
+  expect((await comic({ "inner.rar": rar5({ "1.png": await scan(4, 6) }) })).pageCount).toBe(1);
+  expect(await messageOf(comic({ "1.zip": inner, "2.zip": inner }))).toBe(
+    "Hero 1.cbz holds several books; unpack it and open one of them, such as 1.zip.",
+  );
+});
+
 test("an archive in one that is in an archive is not opened, nor one beside a comic's pages", async () => {
   const inner = zipSync({ "1.png": await scan(4, 6) });
   const twice = zipSync({ "inner.cbz": inner });
   expect(await messageOf(comic({ "twice.cbz": twice }))).toBe(
     "twice.cbz is packed several times over; unpack it first.",
-  );
-  expect(await messageOf(comic({ "inner.zip": inner }))).toBe(
-    "Hero 1.cbz has no pages: no file in it, such as inner.zip, is a book or an image that can be shown; open another.",
   );
   const pages = { "1.png": await scan(4, 6), "2.png": await scan(4, 6) };
   expect((await comic({ ...pages, "inner.cbz": inner })).pageCount).toBe(2);
@@ -259,9 +265,17 @@ test("images that cannot be shown are named, whether others can or not", async (
   expect(await messageOf(comic({ "1.psd": psd, "2.psd": psd }))).toBe(
     "Hero 1.cbz has no pages: no file in it, such as 1.psd, is a book or an image that can be shown; open another.",
   );
-  const { warnings } = await comic({ "1.png": await scan(4, 6), "2.psd": psd });
+  const files = {
+    "1.png": await scan(4, 6),
+    "2.psd": psd,
+    three: psd,
+    LICENSE: "Copy it.",
+    empty: "",
+  };
+  const { warnings } = await comic(files);
   expect(warnings?.map(({ message }) => message)).toEqual([
     "2.psd, listed in Hero 1.cbz, is no page that can be shown.",
+    "three, listed in Hero 1.cbz, is no page that can be shown.",
   ]);
 });
 

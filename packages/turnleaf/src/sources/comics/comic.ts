@@ -10,6 +10,7 @@ import {
   formatOfName,
   imageType,
   rareImageType,
+  sniff,
   sniffLength,
   unshownFormat,
 } from "../formats.ts";
@@ -205,11 +206,15 @@ async function pagesIn(
     const isRead = hasLeft(budget, archive.size(name));
     const start = isRead ? await archive.readStart(name, sniffLength).catch(() => null) : null;
     if (start !== null && (imageType(start) ?? rareImageType(start))) images.push(name);
-    else if (/\.[^./]+$/.test(name)) leftOut(name);
+    else if (/\.[^./]+$/.test(name) || isOther(start)) leftOut(name);
   }
   for (const name of names) if (isArchiveName(name)) leftOut(name);
   return inOrder(images);
 }
+
+/** Returns whether a file has something, and no text, as those have without an ending that programs leave. */
+const isOther = (start: Uint8Array | null): boolean =>
+  start !== null && start.length > 0 && sniff({ start, type: "" }) !== "text";
 
 /** Returns paths in their natural order: by folders, and by names without their endings, numbers as they count in any script. */
 export function inOrder(names: readonly string[]): string[] {
