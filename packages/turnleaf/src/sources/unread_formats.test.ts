@@ -23,6 +23,7 @@ test.each([
   [`${"a".padEnd(60, "\0")}PNRdPPrs`, /Palm/],
   ["8BPS\0\x01", /an image in Photoshop's format \(PSD\).*; save it as PNG or JPEG\.$/],
   ["\0\0\x01\0\x01\0", /icons/],
+  ["\0\0\x02\0\0\0\0\0\0\0", /Targa/],
   ["P6\n2 3\n255\n\0", /PNM/],
   ["\x0a\x05\x01\x08\0", /PCX/],
   [`\x01\0\0\0${"\0".repeat(36)} EMF`, /metafile/],

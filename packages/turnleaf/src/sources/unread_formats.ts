@@ -69,7 +69,12 @@ const unread: readonly FileFormat[] = [
   document("a book of a Palm", toEpub, at(60, "PNRdPPrs", "DataPlkr", "zTXTGPlm", "ToGoToGo")),
   picture("Photoshop's format (PSD)", starts("8BPS\0")),
   picture("GIMP's format (XCF)", starts("gimp xcf")),
-  picture("the format of icons (ICO)", starts("\0\0\x01\0", "\0\0\x02\0", "icns")),
+  // A Targa has no list of colours where an icon has the number of its images.
+  picture("Targa (TGA)", (file) => {
+    const [, , kind = 0] = file.start;
+    return [2, 3, 10, 11].includes(kind) && at(3, "\0\0\0\0\0")(file);
+  }),
+  picture("the format of icons (ICO, ICNS)", starts("\0\0\x01\0", "\0\0\x02\0", "icns")),
   picture("PNM (PBM, PGM, PPM)", ({ text }) => /^P[1-7]\s/.test(text)),
   picture(
     "PCX",

@@ -1,11 +1,15 @@
 /** Files in an archive, such as a ZIP: named, read one by one, and bounded. */
 
+import type { BookError } from "../page_source.ts";
+
 /** An open archive. */
 export interface Archive {
   /** The names of its files, as paths from its root, in the archive's order. */
   readonly names: readonly string[];
   /** What is written about the whole of it, as a ZIP may have. */
   readonly comment?: string;
+  /** What is wrong with the whole of it, although files in it can be read. */
+  readonly damage?: BookError | undefined;
   /** Returns the length in bytes that a file claims; 0 if there is none of this name. */
   size(name: string): number;
   /**

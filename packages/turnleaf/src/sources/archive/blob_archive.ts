@@ -7,14 +7,21 @@ import type { Archive } from "./archive.ts";
 /** The files of an archive that lie unpacked: each as it is, or why it cannot be read. */
 export class BlobArchive implements Archive {
   readonly names: readonly string[];
+  readonly damage: BookError | undefined;
   readonly #name: string;
   #files: ReadonlyMap<string, Blob | BookError>;
 
   /**
    * @param name the archive's name in sentences
    * @param files by their paths
+   * @param damage what is wrong with the whole of it
    */
-  constructor(name: string, files: ReadonlyMap<string, Blob | BookError>) {
+  constructor(
+    name: string,
+    files: ReadonlyMap<string, Blob | BookError>,
+    damage?: BookError | undefined,
+  ) {
+    this.damage = damage;
     this.#name = name;
     this.#files = files;
     this.names = [...files.keys()];

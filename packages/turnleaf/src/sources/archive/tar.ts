@@ -36,8 +36,8 @@ interface Entry {
 }
 
 /**
- * Opens a tar, of which only the headers are read. What is behind a damaged header is not found. Links lead to
- * the files that they name. Rejects with a `BookError` if it has too many files, or cannot be read.
+ * Opens a tar, of which only the headers are read. Links lead to the files that they name. What is behind a
+ * damaged header is not found, and the archive says so. Rejects with a `BookError` if it has too many files, or cannot be read.
  *
  * @param name the file's name in sentences
  */
@@ -45,16 +45,23 @@ export async function openTar(file: Blob, name: string): Promise<Archive> {
   const found: Entry[] = [];
   let about: Description = {};
   let [piece, pieceAt] = [new Uint8Array(), 0];
+  let isWhole = true;
   for (let at = 0, count = 0; at < file.size; count++) {
     if (count > headersOfFile * limits.archiveEntries) throw tooMany(name);
     if (at + tarBlock > pieceAt + piece.length) {
       [piece, pieceAt] = [await bytesOf(file.slice(at, at + pieceLength), name), at];
     }
-    const header = readTarHeader(piece.subarray(at - pieceAt, at - pieceAt + tarBlock));
-    if (!header) break;
+    const block = piece.subarray(at - pieceAt, at - pieceAt + tarBlock);
+    const header = readTarHeader(block);
+    if (!header) {
+      // One of zeros ends it.
+      isWhole = block.every((byte) => byte === 0);
+      break;
+    }
     const length = files.test(header.type) ? (about.size ?? header.size) : header.size;
     const bytes = file.slice(at + tarBlock, at + tarBlock + length);
     at += tarBlock * (1 + Math.ceil(length / tarBlock));
+    isWhole = bytes.size === length;
     if (describing.test(header.type)) {
       const said = await bytesOf(bytes.slice(0, limits.archivePath), name);
       about = { ...about, ...descriptionIn(header.type, said) };
@@ -69,7 +76,7 @@ export async function openTar(file: Blob, name: string): Promise<Archive> {
     if (found.length <= limits.archiveEntries) continue;
     throw tooMany(name);
   }
-  return new BlobArchive(name, filesOf(found, name));
+  return new BlobArchive(name, filesOf(found, name), isWhole ? undefined : cutOff(name));
 }
 
 /** Returns the files of a tar by their paths: each as it is, or why it cannot be read. */
@@ -114,6 +121,12 @@ const unread = (path: string, name: string, why: string): BookError =>
 const tooMany = (name: string): BookError =>
   new BookError(`${name} has more than ${limits.archiveEntries} files; split it and open a part.`, {
     code: "tooLarge",
+    source: name,
+  });
+
+const cutOff = (name: string): BookError =>
+  new BookError(`${name} is damaged or breaks off, and may lack pages; get it again.`, {
+    code: "damaged",
     source: name,
   });
 

@@ -151,6 +151,32 @@ test.each(statements)("%s says title, authors, language and direction", async (n
   expect(source.details?.map(({ value }) => value)).toEqual(["Ann A", "Bo B"]);
 });
 
+test("what is said in a folder is about the images in it", async () => {
+  const page = await scan(4, 6);
+  const info = (title: string) => `<ComicInfo><Title>${title}</Title></ComicInfo>`;
+  const deep = await comic({
+    "a/b/1.png": page,
+    "a/b/c/2.png": page,
+    "a/b/ComicInfo.xml": info("Deep"),
+  });
+  expect(deep.title).toBe("Deep");
+  const volumes = { "a/1.png": page, "b/2.png": page };
+  const infos = { "a/ComicInfo.xml": info("One"), "b/ComicInfo.xml": info("Two") };
+  expect((await comic({ ...volumes, ...infos })).title).toBe("Hero 1");
+  expect((await comic({ ...volumes, ...infos, "ComicInfo.xml": info("All") })).title).toBe("All");
+});
+
+test("a tar that breaks off says so beside its pages", async () => {
+  const page = await scan(40, 60);
+  const bytes = tar({ "1.png": page, "2.png": page });
+  const cut = new File([bytes.slice(0, 2 * 512 + page.length)], "a.cbt");
+  const { pageCount, warnings } = await openSource(cut);
+  expect(pageCount).toBeGreaterThan(0);
+  expect(warnings?.map(({ message }) => message)).toContain(
+    "a.cbt is damaged or breaks off, and may lack pages; get it again.",
+  );
+});
+
 test("the comment of a ZIP says what the comic is, where no file does", async () => {
   const info = {
     ...{ title: "Dusk", series: "Hero", issue: 4, language: "English" },

@@ -96,6 +96,9 @@ export async function openComic(
     const inner = await openInnerBook(archive, name, openInner);
     if (inner) return inner;
     const warnings = new WarningList();
+    const { damage } = archive;
+    if (damage)
+      warnings.add({ code: "page", message: damage.message, source: name, error: damage });
     const budget = { bytes: mostUnpacked };
     const leftOut = (path: string): void => warnings.add(warningOf("page", path, name));
     const files = await pagesIn(archive, budget, leftOut);
@@ -107,7 +110,7 @@ export async function openComic(
       });
     }
     checkCount(files.length, name);
-    const info = await statedMetadata(archive, (path) => {
+    const info = await statedMetadata(archive, files, (path) => {
       warnings.add(warningOf("contents", path, name));
     });
     await checkReadable(archive, files);
