@@ -102,7 +102,7 @@ const allBut = (lines, name, limit) => ({
 });
 
 export default [
-  allBut([...usual, ...apart], "shows and turns a book", 172.8),
+  allBut([...usual, ...apart], "shows and turns a book", 172.9),
   ...usual,
   ...apart,
   allBut(apart, "all that a usual book loads", 224.2),

@@ -7,7 +7,7 @@ import {
   formats,
   listFormats,
 } from "../../turnleaf/src/sources/formats.ts";
-import { type Refusal, refusalOf } from "../../turnleaf/src/sources/unread_formats.ts";
+import { type Rejection, rejectionOf } from "../../turnleaf/src/sources/unread_formats.ts";
 
 /** Why a format that the viewer opens is not served, by its media type: the end of a sentence about a file. */
 const unserved: Readonly<Record<string, string>> = {
@@ -31,12 +31,12 @@ export const readableImages: string = listFormats(
  * @param start its first bytes, as many as show a format
  * @param name which tells text and Markdown apart
  */
-export function servedFormat(start: Uint8Array, name: string): FileFormat | Refusal {
+export function servedFormat(start: Uint8Array, name: string): FileFormat | Rejection {
   const named = formatOfName(name);
   const type = named?.family === "text" ? named.type : "";
   // By its name alone no file is a ZIP here: whether one lies behind other bytes only its end would say.
   const format = formatOfFile({ start, type });
-  if (format === null || format.reason !== undefined) return refusalOf({ start, type }, readable);
+  if (format === null || format.reason !== undefined) return rejectionOf({ start, type }, readable);
   const reason = unserved[format.type];
   return reason === undefined ? format : { reason, remedy: `${readable} can be read` };
 }

@@ -199,8 +199,8 @@ export async function openFile(file: BookFile, options: FormatOptions): Promise<
   if (open && most !== undefined) {
     return await open(file, () => file.whole(most, options.signal), options);
   }
-  const { refusalOf } = await loadPart(import("./unread_formats.ts"));
-  const { reason, remedy } = refusalOf(file);
+  const { rejectionOf } = await loadPart(import("./unread_formats.ts"));
+  const { reason, remedy } = rejectionOf(file);
   throw new BookError(`${file.name} ${reason}; ${remedy}.`, {
     code: "unsupported",
     source: file.name,

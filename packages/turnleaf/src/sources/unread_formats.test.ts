@@ -1,10 +1,10 @@
 import { expect, test } from "vitest";
 import { sniffLength } from "./formats.ts";
-import { refusalOf } from "./unread_formats.ts";
+import { rejectionOf } from "./unread_formats.ts";
 
 const sentence = (text: string): string => {
   const start = Uint8Array.from(text.slice(0, sniffLength), (letter) => letter.charCodeAt(0));
-  const { reason, remedy } = refusalOf({ start, type: "" });
+  const { reason, remedy } = rejectionOf({ start, type: "" });
   return `It ${reason}; ${remedy}.`;
 };
 
@@ -51,6 +51,6 @@ test.each([
 test("a later part of an archive is known by its name alone", () => {
   const start = Uint8Array.of(2, 3, 4);
   for (const name of ["a.7z.002", "a.z01", "a.R00"]) {
-    expect(refusalOf({ start, type: "", name }).reason, name).toMatch(/one part of an archive/);
+    expect(rejectionOf({ start, type: "", name }).reason, name).toMatch(/one part of an archive/);
   }
 });

@@ -13,7 +13,7 @@ import {
 } from "./formats.ts";
 
 /** Why a file is not opened, as the end of a sentence about it. */
-export type Refusal = Required<Pick<FileFormat, "reason" | "remedy">>;
+export type Rejection = Required<Pick<FileFormat, "reason" | "remedy">>;
 
 type Test = NonNullable<FileFormat["is"]>;
 
@@ -95,7 +95,7 @@ const unread: readonly FileFormat[] = [
   row(
     (file) =>
       brandsOf(file).length > 0 ||
-      at(8, "AVI ", "WAVE")(file) ||
+      starts("RIFF")(file) ||
       starts("\x1aE\xdf\xa3", "OggS", "ID3", "\xff\xfb", "\xff\xf3", "fLaC", "FLV\x01")(file) ||
       starts("\0\0\x01\xba", "\0\0\x01\xb3", "\x30\x26\xb2\x75", "MThd")(file),
     "is a sound or a film, and has no pages",
@@ -139,7 +139,7 @@ const unread: readonly FileFormat[] = [
  *
  * @param readable what can be read, for a sentence
  */
-export function refusalOf(file: FileStart, readable: string = listFormats()): Refusal {
+export function rejectionOf(file: FileStart, readable: string = listFormats()): Rejection {
   const known = formatOfFile(file);
   const found = known && known.kind !== "unread" ? known : (formatOfFile(file, unread) ?? known);
   const { reason = "is of an unknown format", remedy = `${readable} can be read` } = found ?? {};

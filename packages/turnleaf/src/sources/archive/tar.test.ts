@@ -64,7 +64,9 @@ test("of a tar that is cut off anywhere the files before are read", async () => 
       [5, 6].some((size, k) => length >= 1024 * k + 512 + size && length <= 1024 * (k + 1)) ||
       length > 2048;
     expect(archive.damage?.message, String(length)).toBe(
-      isWhole ? undefined : "a.cbt is damaged or breaks off, and may lack pages; get it again.",
+      isWhole
+        ? undefined
+        : "a.cbt is damaged or breaks off, and pages may be missing; get it again.",
     );
   }
 });

@@ -125,7 +125,7 @@ const tooMany = (name: string): BookError =>
   });
 
 const cutOff = (name: string): BookError =>
-  new BookError(`${name} is damaged or breaks off, and may lack pages; get it again.`, {
+  new BookError(`${name} is damaged or breaks off, and pages may be missing; get it again.`, {
     code: "damaged",
     source: name,
   });

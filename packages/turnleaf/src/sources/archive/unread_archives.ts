@@ -23,10 +23,12 @@ const packedPage = ["index.html", "metadata.opf"];
 /** Returns what an archive is that is not read, as the end of a sentence; null if it is none of these. */
 export function unreadArchive(names: readonly string[]): string | null {
   const has = (all: readonly string[]): boolean => all.every((name) => names.includes(name));
-  const refuse = (what: string, remedy: string): string =>
+  const rejection = (what: string, remedy: string): string =>
     `is ${what}, which is not read; ${remedy}.`;
-  if (has(openDocument)) return refuse("a document of LibreOffice (such as ODT)", "save it as PDF");
-  if (has(packedPage)) return refuse("a web page with its pictures (HTMLZ)", "convert it to EPUB");
+  if (has(openDocument))
+    return rejection("a document of LibreOffice (such as ODT)", "save it as PDF");
+  if (has(packedPage))
+    return rejection("a web page with its pictures (HTMLZ)", "convert it to EPUB");
   const found = unread.find(([file]) => names.some((name) => file.test(name)));
-  return found ? refuse(found[1], found[2]) : null;
+  return found ? rejection(found[1], found[2]) : null;
 }

@@ -173,7 +173,7 @@ test("a tar that breaks off says so beside its pages", async () => {
   const { pageCount, warnings } = await openSource(cut);
   expect(pageCount).toBeGreaterThan(0);
   expect(warnings?.map(({ message }) => message)).toContain(
-    "a.cbt is damaged or breaks off, and may lack pages; get it again.",
+    "a.cbt is damaged or breaks off, and pages may be missing; get it again.",
   );
 });
 

@@ -90,9 +90,9 @@ export async function openComic(
   openInner: OpenInner,
 ): Promise<PageSource> {
   try {
-    const refusal = unreadArchive(archive.names);
-    if (refusal !== null)
-      throw new BookError(`${name} ${refusal}`, { code: "unsupported", source: name });
+    const rejection = unreadArchive(archive.names);
+    if (rejection !== null)
+      throw new BookError(`${name} ${rejection}`, { code: "unsupported", source: name });
     const inner = await openInnerBook(archive, name, openInner);
     if (inner) return inner;
     const warnings = new WarningList();
