@@ -419,7 +419,10 @@ function isNamedZip({ name = "" }: FirstBytes): boolean {
 }
 
 /** What a FictionBook begins with, and its root. */
-const fictionBook = [/^<(\?xml|!--|!doctype fictionbook|fictionbook)/i, /<fictionbook[\s>]/i];
+const fictionBook = [
+  /^<(\?xml|!--|!doctype fictionbook|([\w.-]{1,40}:)?fictionbook)/i,
+  /<([\w.-]{1,40}:)?fictionbook[\s>]/i,
+];
 
 /** Returns whether a file is a FictionBook, in UTF-16 too. */
 function isFictionBook({ text }: FirstBytes): boolean {
