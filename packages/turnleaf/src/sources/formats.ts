@@ -113,6 +113,10 @@ const bitmapHeader = at(
   ),
 );
 
+/** What web pages begin with, and what a text may begin with too. */
+const webPage = /^<(!doctype html|html)\b/i;
+const webPageOrXml = /^<(!doctype html|html|\?xml|!--|head|body)/i;
+
 const isFictionBookName = (name: string): boolean => /\.fb2$/i.test(name);
 
 /**
@@ -161,8 +165,11 @@ export const formats: readonly FileFormat[] = [
     labels: ["PDF"],
     family: "book",
     endings: ["pdf"],
-    // Readers of PDFs read those without it too.
-    is: ({ text, words }) => text.includes(pdfMark) || firstObject.test(words),
+    // Readers of PDFs read those without it too. A text may say what they begin with.
+    is: (file) =>
+      file.text.includes(pdfMark, isNamedText(file) ? Infinity : 0) ||
+      file.words.startsWith(pdfMark) ||
+      firstObject.test(file.words),
     most: limits.pdfBytes,
   },
   {
@@ -257,7 +264,7 @@ export const formats: readonly FileFormat[] = [
     family: "text",
     endings: ["md", "markdown"],
     // It may begin as a web page or JSON does.
-    is: (file) => file.type === "text/markdown" && isText(file),
+    is: (file) => isNamedMarkdown(file) && isText(file),
     most: limits.markupBytes,
   },
   {
@@ -266,13 +273,16 @@ export const formats: readonly FileFormat[] = [
     labels: ["IIIF and JSON manifests"],
     family: "manifest",
     // A manifest that is an array has strings or objects: [text] is a link of Markdown.
-    is: ({ words }) => /^(\{|\[\s*["{\]])/.test(words),
+    is: (file) =>
+      file.type === "application/json"
+        ? isText(file)
+        : /^(\{|\[\s*["{\]])/.test(file.words) && !isNamedText(file),
     most: limits.manifestBytes,
   },
   {
     kind: "html",
     type: "text/html",
-    is: ({ words }) => /^<(!doctype html|html|\?xml|!--|head|body)/i.test(words),
+    is: (file) => (isNamedText(file) ? webPage : webPageOrXml).test(file.words),
     reason: "is a web page, not a book",
   },
   {
@@ -402,14 +412,26 @@ function imageFormat(start: Uint8Array): FileFormat | null {
 }
 
 /** Returns whether a file is a drawing, in UTF-16 too. Markdown may begin with one. */
-function isSvg({ type, text }: FirstBytes): boolean {
-  const words = wordsOf(narrowed(text));
+function isSvg(file: FirstBytes): boolean {
+  const words = wordsOf(narrowed(file.text));
   return (
-    type !== "text/markdown" &&
+    !isNamedMarkdown(file) &&
     /^<(\?xml|!--|!doctype svg|([\w-]+:)?svg[\s>])/i.test(words) &&
     /<([\w-]+:)?svg[\s>]/i.test(words) &&
     !/<html[\s>]/i.test(words)
   );
+}
+
+/** Returns whether a file's name says that it is text. */
+function isNamedText({ name = "" }: FirstBytes): boolean {
+  return formatOfName(name)?.family === "text";
+}
+
+/** Returns whether a file's media type or its name says that it is Markdown. */
+function isNamedMarkdown({ type, name = "" }: FirstBytes): boolean {
+  const isNamed = formatOfName(name)?.type === "text/markdown";
+  // What a server sends for a file that is not there is a web page.
+  return type === "text/markdown" || (isNamed && type !== "text/html");
 }
 
 /** Returns whether a name says that a file is a ZIP: a format that is in archives alone, as EPUB is, is in one. */
@@ -443,17 +465,22 @@ const leastText = 10;
 /**
  * Returns whether bytes are text: UTF-8, UTF-16 or UTF-32 by its mark, or, where the
  * media type or the name says text, in any encoding. Old programs wrote control characters into text, such as the
- * end of a DOS file or what terminals print bold; a byte of 0 none did, and others are rare in it.
+ * end of a DOS file or what terminals print bold; others are rare in it, and a byte of 0 is in none that does not
+ * say that it is text.
  */
-function isText({ start, type, text, name = "" }: FirstBytes): boolean {
+function isText(file: FirstBytes): boolean {
+  const { start, type, text } = file;
   if (start.length === 0) return false;
   // Many servers, and systems that do not know an ending, give files no type, or a general one.
-  const isSaid = type.startsWith("text/") || formatOfName(name)?.family === "text";
+  const isSaid = /^text\/|^application\/json$/.test(type) || isNamedText(file);
   if (/^(\xff\xfe|\xfe\xff|\0\0\xfe\xff)/.test(text)) return true;
   // Letters of ASCII of two or four bytes each.
-  if (start.includes(0)) return isSaid && wideLetters.test(text);
+  const isWide = isSaid && wideLetters.test(text);
   const strange = text.match(strangeControls)?.length ?? 0;
-  if (strange * leastText > start.length && !isSaid) return false;
+  const isStrange = strange * leastText > start.length;
+  // A byte of 0 is in text where something went wrong as it was written.
+  if (start.includes(0)) return isWide || (isSaid && !isStrange);
+  if (isStrange && !isSaid) return false;
   try {
     // The last character may be cut off.
     const stream = start.length >= sniffLength;

@@ -259,8 +259,9 @@ function isIiif(value: unknown): value is Record<string, unknown> {
 
 async function parseJson({ blob }: WholeFile, name: string): Promise<unknown> {
   const bytes = await bytesOf(blob, name);
+  const { decodeText } = await loadPart(import("./decode_text.ts"));
   try {
-    return JSON.parse(new TextDecoder().decode(bytes));
+    return JSON.parse((await decodeText(bytes)).replace(/^\ufeff/, ""));
   } catch {
     throw new BookError(`${name} is no valid JSON; correct it and open it again.`, {
       code: "damaged",
