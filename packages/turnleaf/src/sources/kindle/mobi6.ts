@@ -1,5 +1,6 @@
 /** MOBI before KF8: one text in the HTML of its time, whose links are counted in bytes. */
 
+import { cleanLanguage } from "../book_text.ts";
 import { limits } from "../limits.ts";
 import { cleanMarkup, type MarkupFiles } from "../markup/clean_markup.ts";
 import { checkedData } from "../markup/data_address.ts";
@@ -13,6 +14,7 @@ import {
 } from "../typeset/flow_book.ts";
 import { coverSection } from "../typeset/lone_picture.ts";
 import { linesIn } from "../typeset/page_estimate.ts";
+import { isRightToLeft } from "../typeset/writing_direction.ts";
 import { type KindleParts, type KindleText, outlineOf, plainText } from "./kindle_text.ts";
 
 /** Where one section ends and the next begins. */
@@ -75,9 +77,12 @@ export async function openMobi6(book: KindleParts): Promise<KindleText> {
     style: async () => [],
   };
   const decoder = new TextDecoder(header.encoding);
+  const isReversed = isRightToLeft(cleanLanguage(header.language));
   const load = async (part: Part): Promise<FlowContent> => {
     const document = parseMarkup(markupOf(text, part, sorted, decoder), "text/html");
     modernise(document);
+    // It has no words for the direction of its text.
+    if (isReversed && !document.querySelector("[dir]")) document.body.dir = "rtl";
     const content = await cleanMarkup(document, files, `A part of ${name}`);
     return { root: content.root, styles: [style, ...content.styles] };
   };
