@@ -278,3 +278,27 @@ test("a MOBI is in the code page that it names", async () => {
   expect(await textsOf(source, "")).toEqual(["Слов"]);
   source.close();
 });
+
+test("a link of a MOBI into a tag, an entity or a letter leads to where that begins, and shows nothing", async () => {
+  const text = "<p class='a'>Käse &amp; Brot</p><p>Ende</p>";
+  const place = (words: string, more: number): number =>
+    new TextEncoder().encode(text.slice(0, text.indexOf(words))).length + more;
+  const places = [place("class", 2), place("ä", 1), place("amp", 1), place("Ende", -1)];
+  const contents = places.map((at, k) => ({ title: `Line ${k}`, at }));
+  const source = await openSource(new Blob([tinyMobi({ text, contents })]));
+  expect(await textsOf(source, "")).toEqual(["Käse & BrotEnde"]);
+  expect((await source.outline?.(never))?.map(({ page }) => page)).toEqual([1, 1, 1, 1]);
+  source.close();
+});
+
+test("a drawing or a style sheet that a KF8 names and does not have is said to be missing", async () => {
+  const text =
+    '<p>words</p><img src="kindle:flow:0007?mime=image/svg+xml"/><link rel="stylesheet" type="text/css" href="kindle:flow:0009?mime=text/css"/>';
+  const source = await openSource(new Blob([tinyKf8({ text })]));
+  await textsOf(source, "");
+  expect(source.warnings?.map(({ code, source }) => [code, source])).toEqual([
+    ["style", "kindle:flow:0009?mime=text/css"],
+    ["image", "kindle:flow:0007?mime=image/svg+xml"],
+  ]);
+  source.close();
+});
