@@ -359,3 +359,12 @@ test("a heading without words names no book", async () => {
   const source = await open("# ![](a.png)\n\nText\n\n# B\n", "a.md");
   expect(source.title).toBe("a.md");
 });
+
+test.each([
+  "---\ntitle: x\n---\n\n",
+  "\n\n",
+  "<!-- of the licence -->\n\n[a]: https://example.org/\n\n",
+])("no empty page stands before the first heading: %j", async (start) => {
+  const source = await open(`${start}# One\n\nText.\n\n# Two\n`, "a.md");
+  expect((await source.outline?.(never))?.map(({ page }) => page)).toEqual([1, 2]);
+});

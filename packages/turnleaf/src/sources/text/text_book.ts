@@ -188,8 +188,7 @@ function chaptersIn(text: string): Chapter[] {
   const [depth = 0] = depths;
   const parts: Token[][] = [[]];
   for (const token of tokens) {
-    const isLong = (parts.at(-1)?.length ?? 0) > 0;
-    if (isHeading(depth)(token) && isLong) parts.push([]);
+    if (isHeading(depth)(token) && parts.at(-1)?.some(isSeen)) parts.push([]);
     parts.at(-1)?.push(token);
   }
   const ids = new HeadingIds();
@@ -206,6 +205,11 @@ function chaptersIn(text: string): Chapter[] {
     const html = (one: Token[]): string => htmlOf(one, idOf, notes);
     return { html: html(part) + listOf(own, html), headings, ids: own.flatMap(idsOf) };
   });
+}
+
+/** Returns whether something of a token is seen: no page begins for blank lines, addresses of links and comments. */
+function isSeen({ type, raw }: Token): boolean {
+  return !/^(space|def)$/.test(type) && !(type === "html" && /^\s*<!--[^<>]*-->\s*$/.test(raw));
 }
 
 const isHeading =
