@@ -64,11 +64,7 @@ const apart = [
     "reads other formats",
     // Alignment, division of words, running heads and folios; tables that are turned and split, switches; XZ.
     // Packages, contents and chapters however they are written. What lies beyond its page, formulas, heights.
-<<<<<<< HEAD
-    263,
-=======
-    264,
->>>>>>> dee7ca6f (Limits of what opens a book and what reads other formats: 0.3 and 3 kB more)
+    265,
     `${readers().join(" ")} budget clean_markup data_url font_type html_pages legacy_names media_overlays names package_document parse_markup svg unpacker unpacker_worker.ts writing_direction decode_text`,
   ),
   part("decodes TIFF and JPEG 2000", 60, "rare_images rare_size tiff_pages decoder_worker.ts"),
