@@ -132,9 +132,12 @@ function membersOf({ items, members, collections, manifests }: Value): Value[] {
   return listOf(lists).filter(isRecord);
 }
 
+/** Returns whether JSON is of IIIF, as the viewer does: some write no context. */
 function isIiif(value: Value): boolean {
-  const contexts = [value["@context"]].flat();
-  return contexts.some((one) => typeof one === "string" && one.includes("iiif.io/api/"));
+  const marks = [value["@context"], value.protocol].flat();
+  const iiif = /iiif\.io\/api\/|shared-canvas\.org\/ns\/context/;
+  if (marks.some((one) => typeof one === "string" && iiif.test(one))) return true;
+  return /^(sc:)?(Manifest|Collection)$/.test(String(value.type ?? value["@type"]));
 }
 
 function isCollection(value: Value): boolean {

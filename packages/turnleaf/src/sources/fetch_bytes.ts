@@ -15,7 +15,7 @@ export async function fetchChecked(
 ): Promise<Response> {
   let response: Response;
   try {
-    response = await fetch(url, init);
+    response = await fetch(securedAddress(url), init);
   } catch (error) {
     init.signal?.throwIfAborted();
     if (!(error instanceof TypeError)) throw error;
@@ -26,6 +26,24 @@ export async function fetchChecked(
   if (response.status === 416) throw emptyFile(name);
   await response.body?.cancel().catch(() => {});
   throw httpError(response.status, name, about);
+}
+
+/** Hosts that browsers trust without encryption. */
+const thisMachine = /^(localhost|.+\.localhost|127(\.\d+){3}|\[::1\])$/;
+
+/**
+ * Returns the address at which a page may fetch: browsers let one of https fetch nothing of http, and old
+ * manifests name so what their servers have by https too.
+ */
+export function securedAddress(
+  url: string,
+  protocol: string | undefined = globalThis.location?.protocol,
+): string {
+  if (protocol !== "https:" || !/^http:/i.test(url)) return url;
+  const secured = new URL(url);
+  if (thisMachine.test(secured.hostname)) return url;
+  secured.protocol = "https:";
+  return secured.href;
 }
 
 /** Returns the error for a status of the server other than success. */

@@ -56,6 +56,7 @@ test.each(["<!-- a drawing --><svg>", "<svg><circle/></svg>\n# A"])(
   "Markdown may begin as a drawing does: %s",
   (text) => {
     expect(formatOfFile({ ...startOf(text), type: "text/markdown" })?.kind).toBe("text");
+    expect(formatOfFile({ ...startOf(text), name: "a.md" })?.kind).toBe("text");
     expect(formatOfFile(startOf(text))?.type).toBe("image/svg+xml");
   },
 );
@@ -112,7 +113,7 @@ test("a text that names a PDF's mark is text where its name says so, and what a 
   const of = (text: string, name?: string) => formatOfFile({ ...startOf(text), name })?.kind;
   const named = "A file begins with %PDF-1.7";
   expect([of(named, "a.md"), of(named, "a.txt"), of(named)]).toEqual(["text", "text", "pdf"]);
-  expect(of("Junk\n%PDF-1.7", "a.txt")).toBe("pdf");
+  expect([of("Listing:\n%PDF-1.7", "a.txt"), of("Junk\n%PDF-1.7")]).toEqual(["text", "pdf"]);
   const stored = `PK\x03\x04${"\0".repeat(26)}a.pdf%PDF-1.7`;
   expect(of(stored)).toBe("zip");
   expect(of(`MZ\0 the program ${stored}`)).toBe("zip");
@@ -138,3 +139,30 @@ test("lists of what can be read name formats by families", () => {
   expect(listFormats()).toMatch(/^PDF, EPUB, .*, IIIF and JSON manifests$/);
   expect(listImages()).toMatch(/^PNG, JPEG, .* and [^,]+$/);
 });
+
+test.each([
+  ["a.md", "<!-- of the licence -->\n# A"],
+  ["README.markdown", "<body>A</body>\n\n# A"],
+  ["a.txt", "<!-- an arrow <- "],
+  ["a.txt", "{ of a brace"],
+  ["a.md", "{{< a short code >}}\n\n# A"],
+  ["a.txt", '["Yes", he said.'],
+  ["a.txt", "Of files that begin with %PDF-1.4"],
+  ["a.txt", "Something went wrong\0 here, as it was written."],
+])("what is named %s is text, whatever it begins with: %j", (name, text) => {
+  expect(formatOfFile({ ...startOf(text), name })?.family).toBe("text");
+});
+
+test.each([
+  ["a.md", "text/html", "<!doctype html><title>Not found</title>", "html"],
+  ["a.txt", "", "<!doctype html><title>Not found</title>", "html"],
+  ["a.txt", "", "%PDF-1.4", "pdf"],
+  ["a.txt", "text/plain", "\x01\0\x02\0\x03\0", undefined],
+  ["a.json", "application/json", "\xff\xfe{\0}\0", "json"],
+  ["a.json", "application/json", "// of no manifest\n{}", "json"],
+])(
+  "what is named %s, of type %j, and begins with %j, is of the kind %s",
+  (name, type, text, kind) => {
+    expect(formatOfFile({ ...startOf(text), name, type })?.kind).toBe(kind);
+  },
+);

@@ -119,6 +119,10 @@ const bitmapHeader = at(
   ),
 );
 
+/** What web pages begin with, and what a text may begin with too. */
+const webPage = /^<(!doctype html|html)\b/i;
+const webPageOrXml = /^(<(!doctype html|html|!--|head|body)|<\?xml[^<]*<(!doctype )?html)/i;
+
 const isFictionBookName = (name: string): boolean => /\.fb2$/i.test(name);
 
 /**
@@ -262,7 +266,7 @@ export const formats: readonly FileFormat[] = [
     family: "text",
     endings: ["md", "markdown"],
     // It may begin as a web page or JSON does.
-    is: (file) => file.type === "text/markdown" && isText(file),
+    is: (file) => isNamedMarkdown(file) && isText(file),
     most: limits.markupBytes,
   },
   {
@@ -271,15 +275,18 @@ export const formats: readonly FileFormat[] = [
     labels: ["IIIF and JSON manifests"],
     family: "manifest",
     // A manifest that is an array has strings or objects: [text] is a link of Markdown, {\rtf a document.
-    is: ({ words }) => /^(\{(?!\\)|\[\s*["{\]])/.test(words),
+    is: (file) => {
+      const isBegun = /^(\{(?!\\)|\[\s*["{\]])/.test(file.words);
+      return file.type === "application/json"
+        ? isBegun || isText(file)
+        : isBegun && !isNamedText(file);
+    },
     most: limits.manifestBytes,
   },
   {
     kind: "html",
     type: "text/html",
-    is: ({ words }) =>
-      /^<(!doctype html|html|!--|head|body)/i.test(words) ||
-      /^<\?xml[^<]*<(!doctype )?html/i.test(words),
+    is: (file) => (isNamedText(file) ? webPage : webPageOrXml).test(file.words),
     reason: "is a web page, not a book",
   },
   {
@@ -287,7 +294,8 @@ export const formats: readonly FileFormat[] = [
     type: "application/octet-stream",
     // What would pass for text: RTF, PostScript and XML of any kind. What each is `unread_formats.ts` says.
     is: (file) =>
-      /^(\{\\rtf|<(\?xml|!doctype|[\w:-]+ xmlns\b))/i.test(file.words) ||
+      /^\{\\rtf/i.test(file.words) ||
+      (/^<(\?xml|!doctype|[\w:-]+ xmlns\b)/i.test(file.words) && !isNamedText(file)) ||
       at(0, "%!PS", "\x04%!PS")(file),
     reason: "is a document of a kind that is not read",
   },
@@ -423,6 +431,7 @@ function imageFormat(start: Uint8Array): FileFormat | null {
  */
 function isPdf(file: FirstBytes): boolean {
   const { text, words } = file;
+  if (isNamedText(file)) return words.startsWith(pdfMark);
   const place = text.indexOf(pdfMark);
   if (place < 0) return firstObject.test(words);
   const before = text.slice(0, place);
@@ -445,13 +454,26 @@ function hasBrand(pattern: RegExp): (file: FirstBytes) => boolean {
 }
 
 /** Returns whether a file is a drawing, in UTF-16 too. Markdown may begin with one. */
-function isSvg({ type, words }: FirstBytes): boolean {
+function isSvg(file: FirstBytes): boolean {
+  const { words } = file;
   return (
-    type !== "text/markdown" &&
+    !isNamedMarkdown(file) &&
     /^<(\?xml|!--|!doctype svg|([\w-]+:)?svg[\s>])/i.test(words) &&
     /<([\w-]+:)?svg[\s>]/i.test(words) &&
     !/<html[\s>]/i.test(words)
   );
+}
+
+/** Returns whether a file's name says that it is text. */
+function isNamedText({ name = "" }: FirstBytes): boolean {
+  return formatOfName(name)?.family === "text";
+}
+
+/** Returns whether a file's media type or its name says that it is Markdown. */
+function isNamedMarkdown({ type, name = "" }: FirstBytes): boolean {
+  const isNamed = formatOfName(name)?.type === "text/markdown";
+  // What a server sends for a file that is not there is a web page.
+  return type === "text/markdown" || (isNamed && type !== "text/html");
 }
 
 /** Returns whether a name says that a file is a ZIP: a format that is in archives alone, as EPUB is, is in one. */
@@ -461,7 +483,10 @@ function isNamedZip({ name = "" }: FirstBytes): boolean {
 }
 
 /** What a FictionBook begins with, and its root. */
-const fictionBook = [/^<(\?xml|!--|!doctype fictionbook|fictionbook)/i, /<fictionbook[\s>]/i];
+const fictionBook = [
+  /^<(\?xml|!--|!doctype fictionbook|([\w.-]{1,40}:)?fictionbook)/i,
+  /<([\w.-]{1,40}:)?fictionbook[\s>]/i,
+];
 
 /** Returns whether a file is a FictionBook, in UTF-16 too. */
 function isFictionBook({ words }: FirstBytes): boolean {
@@ -469,9 +494,9 @@ function isFictionBook({ words }: FirstBytes): boolean {
 }
 
 /** Returns whether a media type or a name says that a file is text. */
-function isSaidText({ type, name = "" }: FirstBytes): boolean {
+function isSaidText(file: FirstBytes): boolean {
   // Many servers, and systems that do not know an ending, give files no type, or a general one.
-  return type.startsWith("text/") || formatOfName(name)?.family === "text";
+  return /^text\/|^application\/json$/.test(file.type) || isNamedText(file);
 }
 
 /** Control characters that neither terminals and printers know nor DOS writes at the end of a file. */
@@ -487,7 +512,8 @@ const leastText = 10;
 /**
  * Returns whether bytes are text: UTF-8, UTF-16 or UTF-32 by its mark, or, where the
  * media type or the name says text, in any encoding. Old programs wrote control characters into text, such as the
- * end of a DOS file or what terminals print bold; a byte of 0 none did, and others are rare in it.
+ * end of a DOS file or what terminals print bold; others are rare in it, and a byte of 0 is in none that does not
+ * say that it is text.
  */
 function isText(file: FirstBytes): boolean {
   const { start, text } = file;
@@ -495,9 +521,12 @@ function isText(file: FirstBytes): boolean {
   const isSaid = isSaidText(file);
   if (/^(\xff\xfe|\xfe\xff|\0\0\xfe\xff)/.test(text)) return true;
   // Letters of ASCII of two or four bytes each.
-  if (start.includes(0)) return isSaid && wideLetters.test(text);
+  const isWide = isSaid && wideLetters.test(text);
   const strange = text.match(strangeControls)?.length ?? 0;
-  if (strange * leastText > start.length && !isSaid) return false;
+  const isStrange = strange * leastText > start.length;
+  // A byte of 0 is in text where something went wrong as it was written.
+  if (start.includes(0)) return isWide || (isSaid && !isStrange);
+  if (isStrange && !isSaid) return false;
   try {
     // The last character may be cut off.
     const stream = start.length >= sniffLength;

@@ -32,6 +32,25 @@ function serve(respond: (url: string, init?: RequestInit) => Response | Promise<
 }
 
 describe("a book of images", () => {
+  it.each([
+    [
+      "UTF-16",
+      (text: string) =>
+        [0xfeff, ...text].map((one) => (one === 0xfeff ? one : String(one).charCodeAt(0))),
+    ],
+    ["Latin-1", (text: string) => Array.from(text, (letter) => letter.charCodeAt(0))],
+  ])("reads a manifest in %s, and says of other JSON that it is none", async (name, codes) => {
+    const fileOf = (text: string): File => {
+      const Bytes = name === "UTF-16" ? Uint16Array : Uint8Array;
+      return new File([Bytes.from(codes(text))], "m.json", { type: "application/json" });
+    };
+    const text = JSON.stringify({ title: "Café", pages: [await address(4, 6)] });
+    const source = await openSource(fileOf(text));
+    expect(source.title).toBe("Café");
+    source.close();
+    expect(await messageOf(openSource(fileOf('"é"')))).toMatch(/^m\.json is not a manifest; /);
+  });
+
   it("takes addresses in order and finds sizes by itself", async () => {
     const source = await openSource([await address(40, 60), await address(50, 50)]);
     expect(source.pageCount).toBe(2);

@@ -15,6 +15,9 @@ const files = /[A-Za-z0-9+/=]{40,}/g;
 /** Confidence of the detector, of 100, from which it is right for a line of text; and that with which it knows nothing. */
 const [sure, unsure] = [35, 10];
 
+/** What stands for bytes that are no character of an encoding. */
+const replacement = "\ufffd";
+
 /** Encodings of Western Europe, which are guessed where a text has many letters of ASCII beside others. */
 const western = /^(iso-8859-1|windows-1252)$/i;
 
@@ -24,7 +27,10 @@ export function legacyText(bytes: Uint8Array): string {
   const isInRuns = standInRuns(sample);
   if (isInRuns && isOfDos(sample)) return new TextDecoder("ibm866").decode(bytes);
   const words = isInRuns ? otherWords(sample) : sample;
-  const best = analyse(words).find(({ confidence }) => confidence > unsure);
+  const found = analyse(words).filter(({ confidence }) => confidence > unsure);
+  // Letters that an encoding does not have are of another: Windows' have more than those of ISO 8859.
+  const best =
+    found.find(({ name }) => !decoderOf(name).decode(words).includes(replacement)) ?? found[0];
   const isSure = best !== undefined && best.confidence >= sure && !western.test(best.name);
   const other = !isSure && isInRuns ? eastAsianEncoding([sample]) : null;
   return decoderOf(other ?? best?.name ?? "").decode(bytes);

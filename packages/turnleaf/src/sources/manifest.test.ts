@@ -116,6 +116,12 @@ describe("what a manifest says of text, links and contents", () => {
   ];
   const faults: readonly (readonly [string, unknown, RegExp])[] = [
     ["text that is none", page({ text: "Call" }), /page 1 has a "text" that is no list; /],
+    [
+      "contents that are none",
+      { pages: ["1.jpg"], outline: 5 },
+      /json has an "outline" that is no list; /,
+    ],
+    ["a description that is none", page({ alt: 5 }), /page 1 has an alt that is no text; /],
     ["an empty text", page({ text: [{ ...box }] }), /page 1: text 1 has no "text"; /],
     ["a text nowhere", page({ text: [{ text: "a" }] }), /page 1: text 1 has no usable place; /],
     [

@@ -23,7 +23,8 @@ export function textOf(
 ): string {
   const value = fields[key];
   if (value === undefined || value === null) return "";
-  if (typeof value !== "string") throw fault(place, `has a ${key} that is no text`, "quote it");
+  if (typeof value !== "string")
+    throw fault(place, `has ${withArticle(key)} that is no text`, "quote it");
   return cleanText(value, most);
 }
 
@@ -40,11 +41,21 @@ export function listOf(
 ): readonly unknown[] {
   const value = fields[key];
   if (value === undefined || value === null) return [];
-  if (!Array.isArray(value)) throw fault(place, `has a "${key}" that is no list`, "write [ ]");
+  if (!Array.isArray(value))
+    throw fault(place, `has ${withArticle(key, `"${key}"`)} that is no list`, "write [ ]");
   if (value.length > most) {
-    throw fault(place, `has a "${key}" of ${value.length}`, `write at most ${most}`);
+    throw fault(
+      place,
+      `has ${withArticle(key, `"${key}"`)} of ${value.length}`,
+      `write at most ${most}`,
+    );
   }
   return value;
+}
+
+/** Returns a member's name as a sentence has it, behind its article. */
+function withArticle(key: string, written: string = key): string {
+  return `${/^[aeio]/.test(key) ? "an" : "a"} ${written}`;
 }
 
 /** Returns whether `value` can be a page's width or height. */

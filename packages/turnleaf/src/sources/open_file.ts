@@ -246,13 +246,15 @@ export async function pagesOfImage(image: Blob): Promise<readonly ImagePage[]> {
 }
 
 /**
- * Returns whether JSON is of IIIF, by the context that it names: version 1 of Presentation had that of
- * Shared Canvas.
+ * Returns whether JSON is of IIIF, by the context that it names (version 1 of Presentation had that of Shared
+ * Canvas), or by the type or the protocol that nothing else has: some write no context.
  */
 function isIiif(value: unknown): value is Record<string, unknown> {
-  const contexts = isRecord(value) ? [value["@context"]].flat() : [];
+  if (!isRecord(value)) return false;
+  const marks = [value["@context"], value.protocol].flat();
   const iiif = /iiif\.io\/api\/|shared-canvas\.org\/ns\/context/;
-  return contexts.some((one) => typeof one === "string" && iiif.test(one));
+  if (marks.some((one) => typeof one === "string" && iiif.test(one))) return true;
+  return /^(sc:)?(Manifest|Collection)$/.test(String(value.type ?? value["@type"]));
 }
 
 async function parseJson({ blob }: WholeFile, name: string): Promise<unknown> {

@@ -1,5 +1,6 @@
 import { describe, expect, it } from "vitest";
 import { cleanLanguage, cleanText, nameOfUrl } from "./book_text.ts";
+import { securedAddress } from "./fetch_bytes.ts";
 import { sniff } from "./formats.ts";
 import { fitPixels, limits } from "./limits.ts";
 import { SharedTasks } from "./shared_tasks.ts";
@@ -136,5 +137,24 @@ describe("SharedTasks", () => {
     expect(await tasks.run("a", () => Promise.resolve(2))).toBe(2);
     await expect(tasks.run("a", () => Promise.reject(new Error("no")))).rejects.toThrow("no");
     expect(await tasks.run("a", () => Promise.resolve(3))).toBe(3);
+  });
+});
+
+describe("securedAddress", () => {
+  it.each([
+    ["http://a.example/i.jpg", "https://a.example/i.jpg"],
+    ["HTTP://a.example:8080/i?q", "https://a.example:8080/i?q"],
+    ["https://a.example/i", "https://a.example/i"],
+    ["http://localhost:8000/i", "http://localhost:8000/i"],
+    ["http://127.0.0.1/i", "http://127.0.0.1/i"],
+    ["http://[::1]/i", "http://[::1]/i"],
+    ["blob:https://a.example/1", "blob:https://a.example/1"],
+    ["a.jpg", "a.jpg"],
+  ])("a secure page fetches %s from %s", (url, secured) => {
+    expect(securedAddress(url, "https:")).toBe(secured);
+  });
+
+  it("leaves addresses to other pages as they are", () => {
+    expect(securedAddress("http://a.example/", "http:")).toBe("http://a.example/");
   });
 });

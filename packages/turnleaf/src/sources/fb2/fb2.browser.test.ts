@@ -138,3 +138,56 @@ test("sections within each other, as deep as the browser reads them, are read", 
   expect(await textsOf(source, " ")).toEqual(["Deep"]);
   source.close();
 });
+
+test("a body after the first is text, unless it is named as notes or a note leads into it", async () => {
+  const section = (title: string, id = "") =>
+    `<section${id && ` id="${id}"`}><title><p>${title}</p></title><p>words</p></section>`;
+  const link = '<section><p><a l:href="#n" type="note">1</a></p></section>';
+  const others = [
+    `<body>${section("Two")}${section("Three")}</body>`,
+    `<body name="part 2">${section("Four")}</body>`,
+    `<body name="end">${section("Five", "n")}</body>`,
+    `<body name="comments">${section("Six")}</body>`,
+  ].join("");
+  const source = await openSource(new Blob([tinyFb2(section("One") + link, others)]));
+  const lines = await source.outline?.(never);
+  expect(lines?.map(({ title, page }) => [title, page])).toEqual([
+    ...[["One", 1] as const, ["Two", 3] as const, ["Three", 4] as const, ["Four", 5] as const],
+  ]);
+  expect(source.pageCount).toBe(7);
+  source.close();
+});
+
+test("a cover that is not there is none, and said to be missing", async () => {
+  const cover = '<coverpage><image l:href="#gone.png"/></coverpage>';
+  const source = await openSource(
+    new Blob([tinyFb2("<section><p>words</p></section>", "", cover)]),
+  );
+  expect([source.cover, await textsOf(source, " ")]).toEqual(["stamped", ["words"]]);
+  expect(source.warnings?.map(({ message }) => message)).toEqual([
+    "#gone.png, an image of this book, is missing or cannot be shown.",
+  ]);
+  source.close();
+});
+
+test.each(["he", ""])("Hebrew goes from right to left, if its language is %j", async (language) => {
+  const text = tinyFb2("<section><p>בראשית ברא אלהים.</p></section>").replace(
+    "<lang>en</lang>",
+    `<lang>${language}</lang>`,
+  );
+  const source = await openSource(new Blob([text]));
+  expect(source.direction).toBe("rtl");
+  const [first] = (await source.text?.(0, never)) ?? [];
+  const { width } = await source.size(0);
+  expect((first?.x ?? 0) + (first?.width ?? 0)).toBeGreaterThan(0.7 * width);
+  source.close();
+});
+
+test("a FictionBook whose elements have a prefix is read", async () => {
+  const text = tinyFb2("<section><p>words</p></section>")
+    .replace("xmlns=", "xmlns:fb=")
+    .replace(/<(\/?)(?=\w)/g, "<$1fb:");
+  const source = await openSource(new Blob([text]));
+  expect([source.title, await textsOf(source, " ")]).toEqual(["A small book", ["words"]]);
+  source.close();
+});

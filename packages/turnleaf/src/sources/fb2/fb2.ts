@@ -20,7 +20,8 @@ import type {
 import { FlowSource } from "../typeset/flow_source.ts";
 import { coverSection } from "../typeset/lone_picture.ts";
 import { linesIn } from "../typeset/page_estimate.ts";
-import { isRightToLeft } from "../typeset/writing_direction.ts";
+import { isRightToLeft, mostlyRightToLeft } from "../typeset/writing_direction.ts";
+import { warningOf } from "../warnings.ts";
 
 const xhtml = "http://www.w3.org/1999/xhtml";
 const epub = "http://www.idpf.org/2007/ops";
@@ -60,7 +61,15 @@ const elements: Readonly<Record<string, string>> = {
   td: "td",
 };
 
-const cellAttributes = ["colspan", "rowspan"];
+/** Attributes that HTML has too. */
+const attributes = ["colspan", "rowspan", "xml:lang"];
+
+/** What bodies of notes are called, besides those to which notes lead. */
+const notesName = /note|comment/i;
+
+/** Pictures of the cover of which the first that is there is shown, and characters by which a direction is found. */
+const mostCovers = 10;
+const sampleLength = 20_000;
 
 const style = `
 header { margin: 0 0 1.5em; text-align: center; font-weight: bold; }
@@ -123,28 +132,34 @@ async function readFb2(text: string, file: Blob, name: string): Promise<FlowBook
   checkElements(document, name);
   const root = document.documentElement;
   const info = childOf(childOf(root, "description"), "title-info");
-  const parts = partsOf(root, info);
+  const covers = childrenOf(childOf(info, "coverpage"), "image").slice(0, mostCovers);
+  const files = filesOf(root);
+  const cover = covers.find((image) => files.has(addressOf(image)));
+  const parts = partsOf(root, cover);
   if (parts.length === 0)
     throw new BookError(`${name} has no text; get it again.`, { code: "empty", source: name });
   const { places, outline } = readPlaces(parts);
-  const files = filesOf(root);
   const language = cleanLanguage(childOf(info, "lang")?.textContent);
-  const isCovered = parts[0]?.nodes[0]?.localName === "image";
+  const isReversed = language === "" ? mostlyRightToLeft(sampleOf(parts)) : isRightToLeft(language);
+  const direction = isReversed ? "rtl" : "ltr";
+  const isCovered = cover !== undefined;
   const sections = parts.map((part, index): FlowSection => {
-    if (isCovered && index === 0) return coverSection(() => load(part, files, name));
+    if (isCovered && index === 0) return coverSection(() => load(part, direction, files, name));
     return {
       length: part.nodes.reduce((sum, node) => sum + (node.textContent?.length ?? 0), 0),
       isFixed: false,
       lines: async () => part.nodes.reduce((sum, node) => sum + linesIn(node.outerHTML), 0),
-      load: () => load(part, files, name),
+      load: () => load(part, direction, files, name),
     };
   });
   return {
     name,
     title: cleanText(childOf(info, "book-title")?.textContent) || name,
     language,
-    direction: isRightToLeft(language) ? "rtl" : "ltr",
+    direction,
     cover: isCovered ? "picture" : "stamped",
+    // One that is not there covers nothing.
+    warnings: isCovered ? [] : covers.map((image) => warningOf("image", addressOf(image), name)),
     details: authorsOf(info),
     sections,
     outline,
@@ -162,17 +177,35 @@ async function readFb2(text: string, file: Blob, name: string): Promise<FlowBook
 /** Returns XML without its document type. */
 function withoutDoctype(text: string): string {
   const at = text.search(/<!DOCTYPE\b/i);
-  const root = text.search(/<FictionBook\b/);
+  const root = text.search(/<([\w.-]{1,40}:)?FictionBook\b/);
   return at >= 0 && at < root ? text.slice(0, at) + text.slice(root) : text;
 }
 
-/** Returns the parts: the cover, what stands before the sections, each section, and the notes last. */
-function partsOf(root: Element, info: Element | null): Part[] {
-  const cover = childrenOf(childOf(info, "coverpage"), "image").slice(0, 1);
-  const parts: Part[] = cover.length > 0 ? [{ nodes: cover, isNotes: false }] : [];
+/** Returns the parts: the cover, what stands before the sections, each section, and the notes as they follow. */
+function partsOf(root: Element, cover: Element | undefined): Part[] {
+  const parts: Part[] = cover ? [{ nodes: [cover], isNotes: false }] : [];
   const [main, ...others] = childrenOf(root, "body");
+  if (main) parts.push(...sectionsOf(main));
+  const noted = new Set(
+    [...root.getElementsByTagNameNS("*", "a")]
+      .filter((link) => link.getAttribute("type") === "note")
+      .map((link) => decodeEscapes(addressOf(link).replace(/^#/, ""))),
+  );
+  for (const body of others) {
+    const name = body.getAttribute("name") ?? "";
+    const isNotes =
+      notesName.test(name) || [...body.querySelectorAll("[id]")].some(({ id }) => noted.has(id));
+    if (isNotes) parts.push({ nodes: [...body.children], isNotes });
+    else parts.push(...sectionsOf(body));
+  }
+  return parts.filter(({ nodes }) => nodes.length > 0).slice(0, limits.pages);
+}
+
+/** Returns the parts of a body of text. */
+function sectionsOf(body: Element): Part[] {
+  const parts: Part[] = [];
   let before: Element[] = [];
-  for (const node of main?.children ?? []) {
+  for (const node of body.children) {
     if (node.localName !== "section") {
       before.push(node);
       continue;
@@ -182,8 +215,17 @@ function partsOf(root: Element, info: Element | null): Part[] {
     parts.push({ nodes: [node], isNotes: false });
   }
   if (before.length > 0) parts.push({ nodes: before, isNotes: false });
-  for (const body of others) parts.push({ nodes: [...body.children], isNotes: true });
-  return parts.filter(({ nodes }) => nodes.length > 0).slice(0, limits.pages);
+  return parts;
+}
+
+/** Returns some of the text of a book. */
+function sampleOf(parts: readonly Part[]): string {
+  let text = "";
+  for (const { nodes } of parts) {
+    for (const node of nodes) text += node.textContent ?? "";
+    if (text.length > sampleLength) break;
+  }
+  return text;
 }
 
 /** Returns which part each id is in, and the contents; sections without an id are given one. */
@@ -226,12 +268,14 @@ function titleOf(section: Element): string {
 
 async function load(
   { nodes, isNotes }: Part,
+  direction: FlowBook["direction"],
   files: MarkupFiles,
   name: string,
 ): Promise<FlowContent> {
   const document = parseMarkup(`<html xmlns="${xhtml}"><body/></html>`, "application/xhtml+xml");
   const body = document.querySelector("body") as Element;
   if (isNotes) body.setAttribute("class", "notes");
+  if (direction === "rtl") body.setAttribute("dir", direction);
   for (const node of nodes) write(node, body, 0);
   const content = await cleanMarkup(document, files, `A chapter of ${name}`);
   return { root: content.root, styles: [style] };
@@ -265,7 +309,7 @@ function write(node: Node, into: Element, depth: number): void {
       made.setAttributeNS(epub, "epub:type", "noteref");
     }
   } else if (localName in elements) made.setAttribute("class", localName);
-  for (const name of cellAttributes) {
+  for (const name of attributes) {
     const value = node.getAttribute(name);
     if (value !== null) made.setAttribute(name, value);
   }
@@ -282,13 +326,22 @@ function addressOf(node: Element): string {
   return node.getAttributeNS(xlink, "href") ?? node.getAttribute("href") ?? "";
 }
 
+/** The pictures in a book. */
+interface BookFiles extends MarkupFiles {
+  /** Returns whether there is a file at an address. */
+  has(address: string): boolean;
+}
+
 /** Returns the pictures in a book, by their ids. */
-function filesOf(root: Element): MarkupFiles {
+function filesOf(root: Element): BookFiles {
   const binaries = new Map(childrenOf(root, "binary").map((one) => [one.id, one]));
+  const binaryAt = (address: string): Element | undefined =>
+    address.startsWith("#") ? binaries.get(decodeEscapes(address.slice(1))) : undefined;
   return {
+    has: (address) => binaryAt(address) !== undefined,
     data: async (address) => {
-      const binary = binaries.get(decodeEscapes(address.replace(/^#/, "")));
-      return address.startsWith("#") && binary ? await pictureIn(binary.textContent ?? "") : null;
+      const binary = binaryAt(address);
+      return binary ? await pictureIn(binary.textContent ?? "") : null;
     },
     style: async () => [],
   };

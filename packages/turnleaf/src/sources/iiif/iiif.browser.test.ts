@@ -593,3 +593,41 @@ test("it fulfils the contract of a source", async () => {
   serve(images, { "m.json": manifest });
   await expectConformance(() => openSource(`${server}/m.json`));
 });
+
+test.each([
+  ["3", manifest3([canvas3("a"), canvas3("b")])],
+  ["2", manifest2([canvas2("a"), canvas2("b")])],
+])("a manifest of version %s without a context is a book", async (_, manifest) => {
+  const { source } = await open({ ...manifest, "@context": undefined });
+  expect([source.pageCount, await colours(source, 1)]).toEqual([2, whole]);
+  source.close();
+});
+
+test("what a sequence says of its direction counts before what its manifest does", async () => {
+  const { source } = await open(
+    manifest2(
+      [canvas2("a")],
+      { viewingDirection: "left-to-right" },
+      { viewingDirection: "right-to-left" },
+    ),
+  );
+  expect(source.direction).toBe("rtl");
+  source.close();
+});
+
+test("a canvas alone is a book of one page", async () => {
+  const context = { "@context": "http://iiif.io/api/presentation/3/context.json" };
+  const { source } = await open({ ...canvas3("a"), ...context });
+  expect([source.pageCount, await colours(source, 0)]).toEqual([1, whole]);
+  source.close();
+});
+
+test("a canvas without an address is no place, and of several with one the first is", async () => {
+  const structures = [{ id: "r", type: "Range", label: { en: ["R"] }, items: [canvas3("a")] }];
+  const { source } = await open(
+    manifest3([{}, canvas3("a"), canvas3("a"), {}] as never, { structures, start: undefined }),
+  );
+  expect(source.openingPage).toBeUndefined();
+  expect(await source.outline?.(never)).toMatchObject([{ title: "R", page: 2 }]);
+  source.close();
+});

@@ -126,8 +126,7 @@ export function parsePresentation(
       source: name,
     });
   }
-  const manifest =
-    lengthOf(value.width) > 0 && type !== "Manifest" ? imageAlone(value, base) : value;
+  const manifest = manifestOf(value, type, base);
   const [sequence = {}] = objectsIn(manifest.sequences, 1);
   const listed = manifest.items ?? sequence.canvases;
   const count = Array.isArray(listed) ? listed.length : 0;
@@ -150,8 +149,8 @@ export function parsePresentation(
       source: name,
     });
   const [way = ""] = [
-    ...stringsIn(manifest.viewingDirection),
     ...stringsIn(sequence.viewingDirection),
+    ...stringsIn(manifest.viewingDirection),
   ];
   const isReversed = way === "right-to-left";
   const pagesOf = canvases.map((canvas, index) => readCanvas(canvas, index, isReversed, reading));
@@ -160,7 +159,9 @@ export function parsePresentation(
   const numbers = new Map<string, number>();
   let number = 1;
   for (const [index, canvas] of canvases.entries()) {
-    numbers.set(idOf(canvas), number);
+    const id = canvasOf(canvas);
+    // Of several that have one address the first is meant; that of one without an address is none.
+    if (id !== "" && !numbers.has(id)) numbers.set(id, number);
     number += pagesOf[index]?.length ?? 0;
   }
   const behaviors = [...behaviorsOf(manifest), ...behaviorsOf(sequence)];
@@ -195,6 +196,12 @@ function metresInUnit({ service, services }: Value = {}): number | undefined {
     return metresOf(Number(physicalScale), String(physicalUnits));
   }
   return undefined;
+}
+
+/** Returns what lists the pages: for one canvas, or what is known of one image, the manifest of it. */
+function manifestOf(value: Value, type: string, base: string): Value {
+  if (type === "Canvas") return { items: [value] };
+  return lengthOf(value.width) > 0 && type !== "Manifest" ? imageAlone(value, base) : value;
 }
 
 /** Returns the manifest of one image. */

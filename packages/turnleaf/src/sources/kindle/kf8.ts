@@ -64,6 +64,7 @@ export async function openKf8(book: KindleParts): Promise<KindleText> {
     if (type !== "image/svg+xml") return null;
     // A drawing in an <img> loads nothing: what is in it goes into it.
     const drawing = flow(digits);
+    if (drawing === "") return null;
     const inner = new Map<string, string>();
     for (const [, one = ""] of [...drawing.matchAll(embedded)].slice(0, mostEmbedded)) {
       if (!inner.has(one)) inner.set(one, (await embeddedData(one)) ?? "data:,");
@@ -78,7 +79,8 @@ export async function openKf8(book: KindleParts): Promise<KindleText> {
       const [, kind, digits = ""] = resource.exec(address) ?? [];
       if (kind?.toLowerCase() !== "flow") return [];
       const number = Number.parseInt(digits, 32);
-      const style = styles.get(number) ?? cleanCss(flow(digits), data);
+      const isThere = flows[number] !== undefined;
+      const style = styles.get(number) ?? (isThere ? cleanCss(flow(digits), data) : lost(address));
       styles.set(number, style);
       return [await style];
     },
@@ -152,6 +154,11 @@ export async function openKf8(book: KindleParts): Promise<KindleText> {
     sections.unshift(cover);
   }
   return { sections, outline, resolve, ...(size ? {} : { isCovered: isFirst || isBefore }) };
+}
+
+/** Returns what stands for a style sheet that is not there. */
+async function lost(source: string): Promise<CleanSheet> {
+  return { namespaces: "", rules: "", lost: [{ code: "style", source }] };
 }
 
 /** Returns the sections that have something in them. */

@@ -231,3 +231,74 @@ test("a file cut off anywhere, or with any byte changed, is read or rejected in 
     }
   }
 });
+
+test("a MOBI in Hebrew goes from right to left", async () => {
+  const file = tinyMobi({ text: "<p>בראשית ברא אלהים.</p>", metadata: { 524: "he" } });
+  const source = await openSource(new Blob([file]));
+  expect(source.direction).toBe("rtl");
+  const [first] = (await source.text?.(0, never)) ?? [];
+  const { width } = await source.size(0);
+  expect((first?.x ?? 0) + (first?.width ?? 0)).toBeGreaterThan(0.7 * width);
+  source.close();
+});
+
+test.each([
+  ["MOBI", tinyMobi],
+  ["KF8", tinyKf8],
+])("a cover that a %s names and does not have is none, and said to be missing", async (_, pack) => {
+  const file = pack({ text: "<p>words</p>", metadata: { 201: 7 } });
+  const source = await openSource(new Blob([file]));
+  expect([source.cover, await textsOf(source, "")]).toEqual(["stamped", ["words"]]);
+  expect(source.warnings?.map(({ message }) => message)).toEqual([
+    "cover, an image of this book, is missing or cannot be shown.",
+  ]);
+  source.close();
+});
+
+test("a MOBI that ends within its text is damaged, and one that ends behind it is read", async () => {
+  const resources = [await png()];
+  const file = tinyMobi({ text: `<p>${"words ".repeat(2000)}</p>`, resources });
+  const records = new DataView(file.buffer);
+  const startOf = (record: number): number => records.getUint32(78 + 8 * record);
+  expect(await messageOf(openSource(new Blob([file.subarray(0, startOf(2) + 100)])))).toBe(
+    "this book is damaged or no Kindle book; repair it or get it again.",
+  );
+  const source = await openSource(new Blob([file.subarray(0, startOf(4) + 10)]));
+  expect((await textsOf(source, "")).join("")).toContain("words words");
+  source.close();
+});
+
+test("a MOBI is in the code page that it names", async () => {
+  const file = tinyMobi({ text: "<p>????</p>", metadata: { 503: "A" } });
+  const at = file.findIndex((_, k) => String.fromCharCode(...file.subarray(k, k + 4)) === "????");
+  file.set([0xd1, 0xeb, 0xee, 0xe2], at);
+  const first = new DataView(file.buffer).getUint32(78);
+  new DataView(file.buffer).setUint32(first + 28, 1251);
+  const source = await openSource(new Blob([file]));
+  expect(await textsOf(source, "")).toEqual(["Слов"]);
+  source.close();
+});
+
+test("a link of a MOBI into a tag, an entity or a letter leads to where that begins, and shows nothing", async () => {
+  const text = "<p class='a'>Käse &amp; Brot</p><p>Ende</p>";
+  const place = (words: string, more: number): number =>
+    new TextEncoder().encode(text.slice(0, text.indexOf(words))).length + more;
+  const places = [place("class", 2), place("ä", 1), place("amp", 1), place("Ende", -1)];
+  const contents = places.map((at, k) => ({ title: `Line ${k}`, at }));
+  const source = await openSource(new Blob([tinyMobi({ text, contents })]));
+  expect(await textsOf(source, "")).toEqual(["Käse & BrotEnde"]);
+  expect((await source.outline?.(never))?.map(({ page }) => page)).toEqual([1, 1, 1, 1]);
+  source.close();
+});
+
+test("a drawing or a style sheet that a KF8 names and does not have is said to be missing", async () => {
+  const text =
+    '<p>words</p><img src="kindle:flow:0007?mime=image/svg+xml"/><link rel="stylesheet" type="text/css" href="kindle:flow:0009?mime=text/css"/>';
+  const source = await openSource(new Blob([tinyKf8({ text })]));
+  await textsOf(source, "");
+  expect(source.warnings?.map(({ code, source }) => [code, source])).toEqual([
+    ["style", "kindle:flow:0009?mime=text/css"],
+    ["image", "kindle:flow:0007?mime=image/svg+xml"],
+  ]);
+  source.close();
+});

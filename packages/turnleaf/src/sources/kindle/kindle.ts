@@ -7,6 +7,7 @@ import { BookError, type PageSource, type Typography } from "../page_source.ts";
 import type { FlowBook } from "../typeset/flow_book.ts";
 import { FlowSource } from "../typeset/flow_source.ts";
 import { isRightToLeft } from "../typeset/writing_direction.ts";
+import { warningOf } from "../warnings.ts";
 import { readIndex } from "./index_table.ts";
 import { openKf8 } from "./kf8.ts";
 import { type KindleHeader, readHeader } from "./kindle_header.ts";
@@ -38,8 +39,8 @@ async function readKindle(file: Blob, name: string): Promise<FlowBook> {
   const database = await PalmDatabase.open(file, name);
   const first = readHeader(await database.record(0, recordLength));
   if (!first) throw damaged(name);
-  const { start, header } = await newestPart(database, first);
-  if (first.isEncrypted || header.isEncrypted) {
+  const { start, header: own } = await newestPart(database, first);
+  if (first.isEncrypted || own.isEncrypted) {
     throw new BookError(
       `${name} is protected against copying (DRM); open it in its shop's reader.`,
       { code: "copyProtected", source: name },
@@ -53,13 +54,18 @@ async function readKindle(file: Blob, name: string): Promise<FlowBook> {
       source: name,
     });
   };
+  const text = await readText(own, read, name, tooLong);
+  const resources = new KindleResources((index, most) =>
+    database.record(first.firstResource + index, most),
+  );
+  // A cover that is not there covers nothing.
+  const isCoverLost = own.cover !== null && (await resources.data(own.cover)) === null;
+  const header = isCoverLost ? { ...own, cover: null } : own;
   const parts: KindleParts = {
     name,
     header,
-    text: await readText(header, read, name, tooLong),
-    resources: new KindleResources((index, most) =>
-      database.record(first.firstResource + index, most),
-    ),
+    text,
+    resources,
     read,
     table: (record) => readIndex(record, read, header.encoding, name),
   };
@@ -76,6 +82,7 @@ async function readKindle(file: Blob, name: string): Promise<FlowBook> {
     direction: header.direction === "rtl" || isRightToLeft(language) ? "rtl" : "ltr",
     details: header.authors.map((author) => ({ label: "", value: plainText(author) })),
     ...(isCovered === undefined ? {} : { cover: isCovered ? "picture" : "stamped" }),
+    warnings: isCoverLost ? [warningOf("image", "cover", name)] : [],
     sections,
     outline,
     asksToLeave: true,

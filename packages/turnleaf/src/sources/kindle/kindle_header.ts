@@ -28,7 +28,8 @@ export interface KindleHeader {
   readonly flows: number | null;
   readonly fragments: number | null;
   readonly skeletons: number | null;
-  readonly encoding: "utf-8" | "windows-1252";
+  /** As browsers call it. */
+  readonly encoding: string;
   readonly title: string;
   /** BCP 47, may be empty. */
   readonly language: string;
@@ -52,7 +53,7 @@ export function readHeader(bytes: Uint8Array<ArrayBuffer>): KindleHeader | null 
   const length = long(20);
   const version = long(36);
   const isNew = version >= 8;
-  const encoding = long(28) === 1252 ? "windows-1252" : "utf-8";
+  const encoding = encodingOf(long(28));
   const decoder = new TextDecoder(encoding);
   const said =
     long(128) & 0x40 ? readMetadata(bytes, 16 + length) : new Map<number, Uint8Array[]>();
@@ -87,6 +88,11 @@ export function readHeader(bytes: Uint8Array<ArrayBuffer>): KindleHeader | null 
     cover: number(201),
     boundary: isNew ? null : number(121),
   };
+}
+
+/** Returns the encoding of a code page of Windows; UTF-8 if it is of none that books were written in. */
+function encodingOf(codePage: number): string {
+  return codePage >= 1250 && codePage <= 1258 ? `windows-${codePage}` : "utf-8";
 }
 
 /** Returns the values of the metadata ("EXTH") by their types; of a damaged list what comes before. */

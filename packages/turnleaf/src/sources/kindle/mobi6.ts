@@ -1,5 +1,6 @@
 /** MOBI before KF8: one text in the HTML of its time, whose links are counted in bytes. */
 
+import { cleanLanguage } from "../book_text.ts";
 import { limits } from "../limits.ts";
 import { cleanMarkup, type MarkupFiles } from "../markup/clean_markup.ts";
 import { checkedData } from "../markup/data_address.ts";
@@ -13,6 +14,7 @@ import {
 } from "../typeset/flow_book.ts";
 import { coverSection } from "../typeset/lone_picture.ts";
 import { linesIn } from "../typeset/page_estimate.ts";
+import { isRightToLeft } from "../typeset/writing_direction.ts";
 import { type KindleParts, type KindleText, outlineOf, plainText } from "./kindle_text.ts";
 
 /** Where one section ends and the next begins. */
@@ -57,7 +59,9 @@ export async function openMobi6(book: KindleParts): Promise<KindleText> {
   };
   for (const [, place] of letters.matchAll(linked)) add(Number(place));
   for (const { numbers } of table?.entries ?? []) add(numbers(1)[0]);
-  const sorted = [...places].sort((a, b) => a - b);
+  const marks = [...places]
+    .map((place): Mark => ({ place, at: betweenLetters(letters, place, header.encoding) }))
+    .sort((a, b) => a.at - b.at);
 
   const first = header.cover === null ? 0 : 1;
   const targetOf = (place: number): FlowTarget | null => {
@@ -75,9 +79,12 @@ export async function openMobi6(book: KindleParts): Promise<KindleText> {
     style: async () => [],
   };
   const decoder = new TextDecoder(header.encoding);
+  const isReversed = isRightToLeft(cleanLanguage(header.language));
   const load = async (part: Part): Promise<FlowContent> => {
-    const document = parseMarkup(markupOf(text, part, sorted, decoder), "text/html");
+    const document = parseMarkup(markupOf(text, part, marks, decoder), "text/html");
     modernise(document);
+    // It has no words for the direction of its text.
+    if (isReversed && !document.querySelector("[dir]")) document.body.dir = "rtl";
     const content = await cleanMarkup(document, files, `A part of ${name}`);
     return { root: content.root, styles: [style, ...content.styles] };
   };
@@ -133,20 +140,47 @@ const idOf = (place: number): string => `filepos${place}`;
 /** Returns the address of the place to which a link leads. */
 const linkTo = (link: Element): string => `#${idOf(Number(link.getAttribute("filepos")))}`;
 
+/** A place that is linked, and where an anchor to it may stand. */
+interface Mark {
+  readonly place: number;
+  readonly at: number;
+}
+
+/** Bytes before a place in which it is looked for what it lies within. */
+const longestWithin = 1000;
+
+/** The beginning of a tag, or of an entity, that has not ended. */
+const within = /<[^<>]*$|&[#\w]{0,12}$/;
+
+/** Returns a place, or where the tag, the entity or the letter begins that it lies within: some programs count so. */
+function betweenLetters(letters: string, place: number, encoding: string): number {
+  const before = letters.slice(Math.max(place - longestWithin, 0), place);
+  const begun = within.exec(before);
+  if (begun && /^[\w#]{0,12};|^[^<>&]*>/.test(letters.slice(place, place + longestWithin))) {
+    return place - before.length + begun.index;
+  }
+  if (encoding !== "utf-8") return place;
+  // The bytes of a letter after its first; each is a letter here, of its number or of one above it.
+  const isInner = (at: number): boolean => ((letters.charCodeAt(at) || 0) & 0xc0) === 0x80;
+  let at = place;
+  while (at > 0 && place - at < 3 && isInner(at)) at -= 1;
+  return at;
+}
+
 /** Returns a part's markup, with an anchor at each place that is linked. */
 function markupOf(
   text: Uint8Array,
   { from, to }: Part,
-  places: readonly number[],
+  marks: readonly Mark[],
   decoder: TextDecoder,
 ): string {
   const pieces: string[] = [];
   let at = from;
-  for (const place of places) {
-    if (place < from) continue;
-    if (place >= to) break;
-    pieces.push(decoder.decode(text.subarray(at, place)), `<a id="${idOf(place)}"></a>`);
-    at = place;
+  for (const { place, at: mark } of marks) {
+    if (mark < from) continue;
+    if (mark >= to) break;
+    pieces.push(decoder.decode(text.subarray(at, mark)), `<a id="${idOf(place)}"></a>`);
+    at = mark;
   }
   pieces.push(decoder.decode(text.subarray(at, to)));
   return pieces.join("").replace(pageBreak, "");

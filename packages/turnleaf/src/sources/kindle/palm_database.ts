@@ -42,10 +42,14 @@ export class PalmDatabase {
     this.count = offsets.length - 1;
   }
 
-  /** Returns a record. Rejects with a `BookError` if there is none, or it has more than `most` bytes. */
+  /**
+   * Returns a record. Rejects with a `BookError` if there is none, the file ends within it, or it has more than
+   * `most` bytes.
+   */
   async record(index: number, most: number): Promise<Uint8Array<ArrayBuffer>> {
     const [from = -1, to = -1] = this.#offsets.slice(index < 0 ? Infinity : index, index + 2);
-    if (from < 0 || to < from || to - from > most) throw damaged(this.#name);
+    const isWhole = to <= this.#file.size;
+    if (from < 0 || to < from || to - from > most || !isWhole) throw damaged(this.#name);
     return await bytesOf(this.#file.slice(from, to), this.#name);
   }
 }

@@ -3,6 +3,7 @@
 import { Lexer, marked, type Parser, Renderer, type Token, Tokenizer, type Tokens } from "marked";
 import { limits } from "../limits.ts";
 import { Footnotes, footnoteSyntax } from "./footnotes.ts";
+import { withoutWideEnds } from "./plain_text.ts";
 
 /** Lists and quotations within each other, as many as a page is wide; deeper ones are shown as their text. */
 const deepest = 8;
@@ -20,7 +21,7 @@ export function readMarkdown(text: string): Token[] {
 /**
  * Returns tokens as HTML.
  *
- * @param ids of headings, by their tokens, of letters, digits, hyphens and underscores; others get none
+ * @param ids of headings, by their tokens, of letters, digits, and the signs -_.: ; others get none
  *
  * @param notes to which they may refer, numbered
  */
@@ -35,6 +36,9 @@ export function htmlOf(
     const id = ids.get(heading);
     const own = id === undefined ? "" : ` id="${id}"`;
     return `<h${depth}${own}>${this.parser.parseInline(tokens)}</h${depth}>\n`;
+  };
+  renderer.text = function (text: Tokens.Text | Tokens.Escape): string {
+    return withoutWideEnds(Renderer.prototype.text.call(this, text));
   };
   const renderers = {
     footnoteRef: ({ label }: Tokens.Generic) => notes.markOf(String(label)),

@@ -93,6 +93,16 @@ test.each([
     "Мороз и солнце; день чудесный! Еще",
   ],
   ["KOI8-R", [0xf0, 0xd2, 0xc9, 0xd7, 0xc5, 0xd4, 0x20, 0xcd, 0xc9, 0xd2], "Привет мир"],
+  [
+    "Windows' Arabic",
+    // In ISO 8859-6 some of these bytes are no letters.
+    [
+      ...[0xdd, 0xed, 0x20, 0xde, 0xcf, 0xed, 0xe3, 0x20, 0xc7, 0xe1, 0xd2, 0xe3, 0xc7, 0xe4, 0x20],
+      ...[0xdf, 0xc7, 0xe4, 0x20, 0xe5, 0xe4, 0xc7, 0xdf, 0x20, 0xe3, 0xe1, 0xdf, 0x20, 0xda, 0xd9],
+      ...[0xed, 0xe3],
+    ],
+    "في قديم الزمان كان هناك ملك عظيم",
+  ],
   ["GBK", [0xc4, 0xe3, 0xba, 0xc3, 0xca, 0xc0, 0xbd, 0xe7], "你好世界"],
   ["Shift_JIS", [0x93, 0xfa, 0x96, 0x7b, 0x8c, 0xea, 0x82, 0xcc], "日本語の"],
   [
@@ -118,7 +128,7 @@ test("Markdown has headings, contents, lists, tables, code and links", async () 
   const text =
     "---\ntitle: x\n---\n# The *Book*\n\nIntro with `code` and [two](#part-two).\n\n# Part Two\n\n## Inner & more\n\n- one\n- two\n\n| a | b |\n|---|---|\n| c | d |\n\n```\nlet x;\n```\n";
   const source = await open(text, "book", "text/markdown");
-  expect(source.title).toBe("The Book");
+  expect(source.title).toBe("x");
   expect(await source.outline?.(never)).toEqual([
     { title: "The Book", page: 1, children: [] },
     { title: "Part Two", page: 2, children: [{ title: "Inner & more", page: 2, children: [] }] },
@@ -269,4 +279,92 @@ test("notes that lead one to the next are numbered in their order, however many 
   const source = await open(chain(100), "chain.md");
   const runs = (await source.text?.(0, never)) ?? [];
   expect(runs.map((run) => run.text).join("")).toContain("Here1.");
+});
+
+const wrapped = (word: string): string =>
+  `The first line of ${word} is as wide as its paper, and goes on\nin this one, which is as wide, and whose end means nothing,\nand ends.`;
+
+test("text whose paragraphs are indented, and not apart, has these", async () => {
+  const prose = `    ${wrapped("one")}\n    ${wrapped("two")}\n    ${wrapped("three")}`;
+  const source = await open(`Title\n\n${prose}\n`, "a.txt");
+  const runs = (await source.text?.(0, never)) ?? [];
+  const text = runs.map((run) => run.text + (run.end ? " " : "")).join("");
+  expect(text).toMatch(/goes on in this one, .* nothing, and ends\. The first line of two/);
+  expect(text).not.toContain("  The");
+  source.close();
+  const novel = "第一章\n\n　　话说天下大势。\n　　分久必合，\n合久必分。\n\n第二章";
+  const chinese = await open(novel, "a.txt");
+  expect(await textOf(chinese)).toBe("第一章\n话说天下大势。\n分久必合，合久必分。\n第二章\n");
+});
+
+test("a line longer than any that is wrapped by hand is a paragraph", async () => {
+  const line = "A paragraph of one line that goes on, and on, and on. ".repeat(3).trim();
+  const chapter = (name: string) => `${name}\n\n${Array(4).fill(line).join("\n")}`;
+  const source = await open(`${chapter("One")}\n\n${chapter("Two")}`, "a.txt");
+  const runs = (await source.text?.(0, never)) ?? [];
+  expect(runs.filter(({ text }) => text.startsWith("A paragraph")).length).toBe(8);
+});
+
+test("lines that end before they are full stay as they are, and no space stands between Chinese lines", async () => {
+  const text = `A poem\nof lines\nthat are short\n\n${wrapped("one")}\n\n${wrapped("two")}`;
+  const lines = (await textOf(await open(text, "a.txt"))).split("\n");
+  expect(lines.slice(0, 3)).toEqual(["A poem", "of lines", "that are short"]);
+  for (const name of ["a.txt", "a.md"]) {
+    const chinese = await open(
+      "话说天下大势分久必合\n合久必分周末七国分争\n并入于秦。\n\n完",
+      name,
+    );
+    expect(await textOf(chinese)).toBe("话说天下大势分久必合合久必分周末七国分争并入于秦。\n完\n");
+  }
+});
+
+test.each(["a.txt", "a.md"])("Hebrew and Arabic in %s go from right to left", async (name) => {
+  const source = await open("בראשית ברא אלהים.\n\nPlain words.\n\nفي قديم الزمان.", name);
+  expect(source.direction).toBe("rtl");
+  const [first] = (await source.text?.(0, never)) ?? [];
+  const { width } = await source.size(0);
+  expect((first?.x ?? 0) + (first?.width ?? 0)).toBeGreaterThan(0.7 * width);
+});
+
+test("Markdown says its title, authors and language before its text", async () => {
+  const yaml = `---\nlayout: post\ntitle: "Of \\"Whales\\""\nauthors:\n  - name: Ann A.\n    mail: a@b.org\n  - Ben B.\nlang: ar\ntags: [a, b]\n---\n# One\n\nText.\n`;
+  const source = await open(`\ufeff${yaml}`, "a.md");
+  expect(source).toMatchObject({ title: 'Of "Whales"', language: "ar", direction: "rtl" });
+  expect(source.details?.map(({ value }) => value)).toEqual(["Ann A.", "Ben B."]);
+  expect(await textOf(source)).toBe("One\nText.\n");
+  const toml = await open('+++\ntitle = "Whales"\nauthor = "Ann"\n+++\n\nText.\n', "a.md");
+  expect([toml.title, await textOf(toml)]).toEqual(["Whales", "Text.\n"]);
+  expect(toml.details?.map(({ value }) => value)).toEqual(["Ann"]);
+});
+
+test.each([["---\n\nBetween rules.\n\n---\n\nAfter."], ["---\nBetween rules.\n\n---\n\nAfter."]])(
+  "a text that begins with a rule has what stands before the next: %j",
+  async (text) => {
+    expect(await textOf(await open(text, "a.md"))).toMatch(/^Between rules\.\s+After\./);
+  },
+);
+
+test("links lead to every heading and to what is named by HTML, or by what stands behind a heading", async () => {
+  const links = ["#deep", "#anchor", "#span", "#same-1", "#same-1-1", "#own"];
+  const text = `# Start\n\n${links.map((to, k) => `[${k}](${to})`).join(" ")}\n\n# One\n\n#### Deep\n\n<a name="anchor"></a>Here\n\n# Two\n\n<span id="span">Here</span>\n\n# Same\n\n# Same\n\n# Same 1\n\n# Four {#own .class}\n`;
+  const source = await open(text, "a.md");
+  const found = (await source.links?.(0, never)) ?? [];
+  expect(found.map(({ to }) => to && "page" in to && to.page)).toEqual([2, 2, 3, 5, 6, 7]);
+  expect((await source.outline?.(never))?.map(({ title }) => title)).toEqual([
+    ...["Start", "One", "Two", "Same", "Same", "Same 1", "Four"],
+  ]);
+});
+
+test("a heading without words names no book", async () => {
+  const source = await open("# ![](a.png)\n\nText\n\n# B\n", "a.md");
+  expect(source.title).toBe("a.md");
+});
+
+test.each([
+  "---\ntitle: x\n---\n\n",
+  "\n\n",
+  "<!-- of the licence -->\n\n[a]: https://example.org/\n\n",
+])("no empty page stands before the first heading: %j", async (start) => {
+  const source = await open(`${start}# One\n\nText.\n\n# Two\n`, "a.md");
+  expect((await source.outline?.(never))?.map(({ page }) => page)).toEqual([1, 2]);
 });

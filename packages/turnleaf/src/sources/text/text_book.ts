@@ -12,8 +12,11 @@ import type { PageSource, Typography } from "../page_source.ts";
 import type { FlowBook, FlowContent, FlowOutline, FlowSection } from "../typeset/flow_book.ts";
 import { FlowSource } from "../typeset/flow_source.ts";
 import { linesIn } from "../typeset/page_estimate.ts";
+import { isRightToLeft, mostlyRightToLeft } from "../typeset/writing_direction.ts";
 import { Footnotes, idsOf, listOf } from "./footnotes.ts";
+import { type FrontMatter, readFrontMatter } from "./front_matter.ts";
 import { htmlOf, readMarkdown } from "./markdown.ts";
+import { pagesOf } from "./plain_text.ts";
 
 /** A chapter as markup, and the headings in it. */
 interface Chapter {
@@ -35,9 +38,11 @@ const longestPart = 60_000;
 /** A piece of a longer paragraph, to its last space if there is one. */
 const piece = new RegExp(`[\\s\\S]{1,${longestPart}}(?=\\s|$)|[\\s\\S]{1,${longestPart}}`, "g");
 
-/** Settings of the program that makes a site of the file, before its text: in YAML or TOML. */
-const frontMatter =
-  /^(?:---\n(?:[\w"'.-]+ *:|#)[\s\S]*?\n(?:---|\.\.\.)|\+\+\+\n(?:[\w"'-]+ *[.=]|[#[])[\s\S]*?\n\+\+\+)[ \t]*(?:\n|$)/;
+/** What stands for the title of a heading without words. */
+const noTitle = "–";
+
+/** The depth of headings, from 1, beyond which they are no lines of the contents. */
+const deepestLine = 3;
 
 const style = `
 p { margin: 0; text-indent: 1.4em; }
@@ -62,25 +67,38 @@ export async function openText(
   );
   // Both are text: a name may tell them apart where the media type does not.
   const isMarkdown = /markdown/.test(type) || /\.(md|markdown)$/i.test(name);
-  const chapters = (isMarkdown ? markdownChapters(text) : null) ?? plainChapters(text);
-  return await FlowSource.open(bookOf(chapters, file, name), typography);
+  const front = isMarkdown ? readFrontMatter(text) : null;
+  const chapters = (front && markdownChapters(front.rest)) ?? plainChapters(text);
+  return await FlowSource.open(bookOf(chapters, text, front, file, name), typography);
 }
 
-function bookOf(chapters: readonly Chapter[], file: Blob, name: string): FlowBook {
+function bookOf(
+  chapters: readonly Chapter[],
+  text: string,
+  front: FrontMatter | null,
+  file: Blob,
+  name: string,
+): FlowBook {
   const places = new Map<string, number>();
-  chapters.forEach(({ headings, ids = [] }, section) => {
-    for (const id of [...headings.map(({ id }) => id), ...ids]) {
-      if (!places.has(id)) places.set(id, section);
-    }
-  });
+  const addPlaces = (idsOf: (chapter: Chapter) => Iterable<string>): void =>
+    chapters.forEach((chapter, section) => {
+      for (const id of idsOf(chapter)) if (!places.has(id)) places.set(id, section);
+    });
+  addPlaces(({ headings, ids = [] }) => [...headings.map(({ id }) => id), ...ids]);
+  // Links may lead to what has its place by HTML.
+  if (front) addPlaces(({ html }) => placesIn(html));
   const [first] = chapters[0]?.headings ?? [];
+  const language = front?.language ?? "";
+  const isReversed = language === "" ? mostlyRightToLeft(text) : isRightToLeft(language);
+  const direction = isReversed ? "rtl" : "ltr";
   return {
     name,
-    title: (first?.depth === 1 && first.title) || name,
-    language: "",
-    direction: "ltr",
+    title: front?.title || (first?.depth === 1 && first.title !== noTitle && first.title) || name,
+    language,
+    direction,
     cover: "none",
-    sections: chapters.map((chapter) => sectionOf(chapter, name)),
+    details: (front?.authors ?? []).map((value) => ({ label: "", value })),
+    sections: chapters.map((chapter) => sectionOf(chapter, direction, name)),
     outline: outlineOf(chapters),
     resolve: (_section, href) => {
       const id = decodeEscapes(/^#(.+)/.exec(href)?.[1] ?? "");
@@ -92,9 +110,13 @@ function bookOf(chapters: readonly Chapter[], file: Blob, name: string): FlowBoo
   };
 }
 
-function sectionOf({ html }: Chapter, name: string): FlowSection {
+function sectionOf({ html }: Chapter, direction: FlowBook["direction"], name: string): FlowSection {
   const load = async (): Promise<FlowContent> => {
-    const document = parseMarkup(`<html><body>${html}</body></html>`, "text/html");
+    const body = direction === "rtl" ? `<body dir="rtl">` : "<body>";
+    const document = parseMarkup(`<html>${body}${html}</body></html>`, "text/html");
+    for (const anchor of document.querySelectorAll("a[name]:not([id])")) {
+      anchor.id = anchor.getAttribute("name") ?? "";
+    }
     const files = { data: checkedData, style: async () => [] };
     const content = await cleanMarkup(document, files, name);
     return { root: content.root, styles: [style, ...content.styles] };
@@ -102,14 +124,20 @@ function sectionOf({ html }: Chapter, name: string): FlowSection {
   return { length: html.length, isFixed: false, lines: async () => linesIn(html), load };
 }
 
-/** Splits plain text where paragraphs end; lines that are indented stay as they are. */
+/** An element's beginning, and what names it. */
+const tag = /<[a-z][^<>]*>/gi;
+const naming = /\s(?:id|name)\s*=\s*["']?([^\s"'<>]{1,200})/i;
+
+/** Returns the names by which links lead to elements of a chapter. */
+function placesIn(html: string): string[] {
+  return (html.match(tag) ?? []).flatMap((one) => {
+    const [, id] = naming.exec(one) ?? [];
+    return id === undefined ? [] : [id];
+  });
+}
+
+/** Splits plain text where paragraphs end. */
 function plainChapters(text: string): Chapter[] {
-  // Without blank lines each line is a paragraph.
-  const paragraphs = /\n[ \t]*\n/.test(text) ? text.split(/\n(?:[ \t]*\n)+/) : text.split("\n");
-  const blocks = paragraphs
-    .flatMap((one) => (one.length > longestPart ? (one.match(piece) ?? []) : one))
-    // A page ends where its mark is, within a paragraph too.
-    .flatMap((one) => one.split(/(?=\f)/));
   const chapters: Chapter[] = [];
   let html: string[] = [];
   let length = 0;
@@ -117,19 +145,27 @@ function plainChapters(text: string): Chapter[] {
     if (html.length > 0) chapters.push({ html: html.join("\n"), headings: [] });
     [html, length] = [[], 0];
   };
-  for (const block of blocks) {
-    if (block.includes("\f") || length > longestPart) end();
-    const words = block.replaceAll("\f", "");
-    if (words.trim() === "") continue;
-    const isSet = /^(?: {2,}|\t)\S/m.test(words);
-    const escaped = escapeText(isSet ? words : linesOf(words).join(" "));
-    html.push(isSet ? `<p class="lines">${escaped}</p>` : `<p>${escaped}</p>`);
-    length += words.length;
+  for (const blocks of pagesOf(text)) {
+    end();
+    for (const { text, isSet } of blocks) {
+      for (const words of piecesOf(text)) {
+        if (length > longestPart) end();
+        if (words.trim() === "") continue;
+        const escaped = escapeText(isSet ? words : words.trim());
+        html.push(isSet ? `<p class="lines">${escaped}</p>` : `<p>${escaped}</p>`);
+        length += words.length;
+      }
+    }
   }
   end();
   return chapters.length > 0
     ? chapters.slice(0, limits.pages)
     : [{ html: "<p></p>", headings: [] }];
+}
+
+/** Returns a paragraph in pieces that are not too long. */
+function piecesOf(text: string): readonly string[] {
+  return text.length > longestPart ? (text.match(piece) ?? []) : [text];
 }
 
 /**
@@ -147,28 +183,33 @@ function markdownChapters(text: string): Chapter[] | null {
 
 function chaptersIn(text: string): Chapter[] {
   const notes = new Footnotes();
-  const tokens = notes.take(readMarkdown(text.replace(frontMatter, "")));
+  const tokens = notes.take(readMarkdown(text));
   const depths = [1, 2].filter((depth) => tokens.filter(isHeading(depth)).length > 1);
   const [depth = 0] = depths;
   const parts: Token[][] = [[]];
   for (const token of tokens) {
-    const isLong = (parts.at(-1)?.length ?? 0) > 0;
-    if (isHeading(depth)(token) && isLong) parts.push([]);
+    if (isHeading(depth)(token) && parts.at(-1)?.some(isSeen)) parts.push([]);
     parts.at(-1)?.push(token);
   }
-  const used = new Map<string, number>();
+  const ids = new HeadingIds();
   return parts.slice(0, limits.pages).map((part, index, shown) => {
     const own = notes.of(part, index === shown.length - 1);
-    const ids = new Map<Token, string>();
+    const idOf = new Map<Token, string>();
     const headings = headingsIn(part).map((heading) => {
-      const title = cleanText(textOf(heading)) || "–";
-      const id = slugOf(title, used);
-      ids.set(heading, id);
+      const own = takeOwnId(heading);
+      const title = cleanText(textOf(heading)) || noTitle;
+      const id = ids.take(own || slugOf(title));
+      idOf.set(heading, id);
       return { title, depth: heading.depth, id };
     });
-    const html = (one: Token[]): string => htmlOf(one, ids, notes);
+    const html = (one: Token[]): string => htmlOf(one, idOf, notes);
     return { html: html(part) + listOf(own, html), headings, ids: own.flatMap(idsOf) };
   });
+}
+
+/** Returns whether something of a token is seen: no page begins for blank lines, addresses of links and comments. */
+function isSeen({ type, raw }: Token): boolean {
+  return !/^(space|def)$/.test(type) && !(type === "html" && /^\s*<!--[^<>]*-->\s*$/.test(raw));
 }
 
 const isHeading =
@@ -179,7 +220,7 @@ const isHeading =
 /** Returns headings in the order in which they stand, within quotations and lists too. */
 function headingsIn(tokens: readonly Token[]): Tokens.Heading[] {
   return tokens.flatMap((token) => {
-    if (token.type === "heading") return token.depth <= 3 ? [token as Tokens.Heading] : [];
+    if (token.type === "heading") return [token as Tokens.Heading];
     if (token.type === "list") return headingsIn((token as Tokens.List).items);
     const inner = token.type === "blockquote" || token.type === "list_item";
     return inner ? headingsIn((token as Tokens.Blockquote).tokens) : [];
@@ -191,16 +232,41 @@ function textOf(heading: Tokens.Heading): string {
   return parseMarkup(html, "text/html").body.textContent ?? "";
 }
 
-/** Returns a heading's id as links name it: words in lower case with hyphens between them. */
-function slugOf(title: string, used: Map<string, number>): string {
-  const slug = title
+/** What many programs let stand behind a heading, as `{#id .class}` or `{-}`. */
+const attributes = /[ \t]\{[ \t]*(?:[#.][^\s{}]+|-)(?:[ \t][^{}\n]*)?\}[ \t]*$/;
+
+/** Takes what stands behind a heading from it, and returns the id that it is given there; "" if none is. */
+function takeOwnId({ tokens }: Tokens.Heading): string {
+  const last = tokens.at(-1) as Tokens.Text | undefined;
+  const [all] = last?.type === "text" ? (attributes.exec(last.text) ?? []) : [];
+  if (!last || all === undefined) return "";
+  last.text = last.text.slice(0, -all.length).trimEnd();
+  return /#([\p{Letter}\p{Number}_.:-]{1,200})/u.exec(all)?.[1] ?? "";
+}
+
+/** Returns a heading's words as links name it: in lower case, with hyphens between them. */
+function slugOf(title: string): string {
+  return title
     .toLowerCase()
     .replace(/[^\p{Letter}\p{Number}\s_-]/gu, "")
     .trim()
     .replace(/\s/g, "-");
-  const count = used.get(slug) ?? 0;
-  used.set(slug, count + 1);
-  return count === 0 ? slug : `${slug}-${count}`;
+}
+
+/** The ids of headings: of those that would have the same, all but the first are numbered. */
+class HeadingIds {
+  /** How many there are by each. */
+  readonly #counts = new Map<string, number>();
+
+  /** Returns the id of a heading that would have `wanted`. */
+  take(wanted: string): string {
+    let id = wanted;
+    let count = this.#counts.get(wanted) ?? 0;
+    while (this.#counts.has(id)) id = `${wanted}-${++count}`;
+    this.#counts.set(wanted, count);
+    this.#counts.set(id, this.#counts.get(id) ?? 0);
+    return id;
+  }
 }
 
 function outlineOf(chapters: readonly Chapter[]): FlowOutline[] {
@@ -208,6 +274,7 @@ function outlineOf(chapters: readonly Chapter[]): FlowOutline[] {
   const path: Line[] = [root];
   chapters.forEach(({ headings }, section) => {
     for (const { title, id, depth } of headings) {
+      if (depth > deepestLine) continue;
       while ((path.at(-1)?.depth ?? 0) >= depth) path.pop();
       const line = { title, target: { section, id }, depth, children: [] };
       path.at(-1)?.children.push(line);
@@ -221,14 +288,6 @@ function outlineOf(chapters: readonly Chapter[]): FlowOutline[] {
 interface Line {
   readonly depth: number;
   readonly children: (Line & FlowOutline)[];
-}
-
-/** Returns the lines of a paragraph that are not blank, without the spaces about them. */
-function linesOf(words: string): string[] {
-  return words
-    .split("\n")
-    .map((line) => line.trim())
-    .filter((line) => line !== "");
 }
 
 function escapeText(text: string): string {

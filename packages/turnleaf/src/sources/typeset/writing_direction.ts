@@ -8,6 +8,22 @@ export function isRightToLeft(language: string): boolean {
   return rightToLeft.test(language);
 }
 
+/** Characters of a text by which its direction is found. */
+const sampleLength = 200_000;
+
+/** Letters that are written from right to left, and others. */
+const leftward =
+  /[\p{Script=Arabic}\p{Script=Hebrew}\p{Script=Syriac}\p{Script=Thaana}\p{Script=Nko}\p{Script=Adlam}]/gu;
+const letter = /\p{Letter}/gu;
+
+/** Returns whether most letters of a text are written from right to left. */
+export function mostlyRightToLeft(text: string): boolean {
+  const sample = text.slice(0, sampleLength);
+  const count = (letters: RegExp): number => sample.match(letters)?.length ?? 0;
+  const back = count(leftward);
+  return back > 0 && back > count(letter) / 2;
+}
+
 /** How text is written: values of CSS. */
 export interface Writing {
   readonly writingMode: string;
