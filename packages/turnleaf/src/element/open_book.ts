@@ -136,16 +136,27 @@ export class OpenBook {
    */
   followSource(change: () => NewIndex): Promise<boolean> {
     return this.changePages(() => {
+      this.keepOpen();
       this.#keepSide();
       return change();
     });
   }
 
-  #keepSide(): void {
+  /** Has the source keep what the reader sees at the head of the open pages. */
+  keepOpen(): void {
+    this.source.keepOpen(this.#openPages.flatMap((page) => (page === null ? [] : [page - 1])));
+  }
+
+  /** The open pages in the order of reading, null for a bare side. */
+  get #openPages(): readonly (number | null)[] {
     const { binding, turning } = this.viewer;
-    if (binding.layout !== "spread") return;
     const sides = [leftPage(binding, turning.spread), rightPage(binding, turning.spread)];
-    const [first = null, second = null] = binding.reversed ? sides.reverse() : sides;
+    return binding.reversed ? sides.reverse() : sides;
+  }
+
+  #keepSide(): void {
+    if (this.viewer.binding.layout !== "spread") return;
+    const [first = null, second = null] = this.#openPages;
     if (first !== null) this.source.keepSide(first - 1, "first");
     else if (second !== null) this.source.keepSide(second - 1, "second");
   }

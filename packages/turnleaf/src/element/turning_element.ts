@@ -276,6 +276,7 @@ export abstract class TurningElement extends ReaderElement {
    */
   protected pageChanged(from: number, to: number, direction: TurnDetail["direction"]): void {
     this.describe();
+    this.book?.keepOpen();
     this.#reported = to;
     this.emit("pagechange", { from, to, direction });
   }
