@@ -532,9 +532,17 @@ export class TurnleafBook extends TearableElement {
     book.source.colours = colours;
     book.viewer.recolour(theme);
     book.roll?.recolour();
+    this.#printByDay(book);
   }
 
-  /** Sets how the web page's own print shows the book: in the colours of now, as no page is drawn while it prints. */
+  #printByDay(book: OpenBook): void {
+    book.printByDay().catch((error: unknown) => this.reportMissingPart(error));
+  }
+
+  /**
+   * Sets how the web page's own print shows the book where its pages are not drawn by day yet: in the colours of
+   * now turned over, as no page is drawn while it prints.
+   */
   #setPrintFilter(): void {
     const filter = printFilterOf(this.source?.colours ?? null, this.darkPagesNow);
     this.#tree.stage.style.setProperty("--printed", filter);
@@ -586,7 +594,8 @@ export class TurnleafBook extends TearableElement {
     };
   }
 
-  #opened({ source, viewer }: OpenBook): void {
+  #opened(book: OpenBook): void {
+    const { source, viewer } = book;
     const { binding } = viewer;
     // A page may have been requested since the book was laid open.
     const isElsewhere = this.#asked.page !== null && this.#asked.page !== this.#left?.page;
@@ -602,6 +611,7 @@ export class TurnleafBook extends TearableElement {
     this.#follow(viewer);
     this.foldOpened();
     this.tearOpened(source);
+    this.#printByDay(book);
     this.emit("load", { pageCount: source.pageCount, title: source.title });
   }
 
