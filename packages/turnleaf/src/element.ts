@@ -27,7 +27,12 @@ import { WatchedChildren } from "./element/watched_children.ts";
 import { loadPart } from "./sources/load_part.ts";
 import type { BookInput } from "./sources/open.ts";
 import type { PageList } from "./sources/page_list.ts";
-import { BookError, type NewIndex, type PageColours } from "./sources/page_source.ts";
+import {
+  BookError,
+  type NewIndex,
+  type PageColours,
+  type PageSize,
+} from "./sources/page_source.ts";
 import { coloursOf } from "./themes.ts";
 import type { Viewer, ViewerOptions, Zoom } from "./viewer/viewer.ts";
 import type { FilmFrames } from "./viewer/viewer_options.ts";
@@ -396,6 +401,11 @@ export class TurnleafBook extends TearableElement {
   #relist(name: "hardPages" | "stocks"): void {
     this.listPages(name, this[name]);
     this.#viewer?.rebind(this.#binding);
+  }
+
+  /** @internal */
+  protected override get textSize(): PageSize {
+    return this.#text.size;
   }
 
   /** @internal */

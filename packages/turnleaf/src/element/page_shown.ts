@@ -124,8 +124,13 @@ export class PageShown {
     const [set, shown] = [this.size, this.#shown()];
     // Miniatures are set alike, however small they are.
     if (shown === null || (isMiniature(shown) && isMiniature(set))) return true;
-    return !differs(shown.width, set.width) && !differs(shown.height, set.height);
+    return isAbout(shown, set);
   }
+}
+
+/** Returns whether text that is set for pages of one size is shown in another. */
+export function isAbout(shown: PageSize, set: PageSize): boolean {
+  return !differs(shown.width, set.width) && !differs(shown.height, set.height);
 }
 
 /** Returns whether two lengths differ by more than a step. */
