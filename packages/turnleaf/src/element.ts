@@ -510,7 +510,7 @@ export class TurnleafBook extends TearableElement {
   }
 
   async #restore(source: PageList, src: string): Promise<void> {
-    const found = await this.#text.restore((typography) =>
+    const found = await this.#text.restore(source, (typography) =>
       this.restorePlace(source, src, typography, this.#left?.anchor),
     );
     if (this.#left && found !== null) this.#left = { ...this.#left, page: found };

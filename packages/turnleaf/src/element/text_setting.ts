@@ -1,5 +1,6 @@
 /** How flowing text is set: by the element's attributes, for the size in which pages are shown. */
 
+import type { PageList } from "../sources/page_list.ts";
 import type { PageSize, Typography } from "../sources/page_source.ts";
 import { paperback } from "../sources/typeset/page_measures.ts";
 import type { OpenBook } from "./open_book.ts";
@@ -60,11 +61,12 @@ export class TextSetting {
    *
    * @param kept the size for which it was set when its reader left it: its pages end where they did, unless
    * they are about to be shown in clearly another one
+   * @param source of the book, if that is open already
    */
-  take(kept?: PageSize): Typography {
+  take(kept?: PageSize, source: PageList | null = null): Typography {
     const typography = typographyOf(this.#element);
     this.#taken = JSON.stringify(typography);
-    const expected = expectedPage(this.#element, this.#place, null, null, typography);
+    const expected = expectedPage(this.#element, this.#place, source, null, typography);
     this.#pageShown.size = kept && isAbout(kept, expected) ? kept : expected;
     return this.#setFor(typography);
   }
@@ -74,6 +76,7 @@ export class TextSetting {
    * set anew once, by all of them. Resolves to what that resolves to.
    */
   async restore<Found>(
+    source: PageList,
     restore: (typography: (kept?: PageSize) => Typography) => Promise<Found>,
   ): Promise<Found> {
     const before = this.#chosen;
@@ -82,11 +85,11 @@ export class TextSetting {
     try {
       return await restore((kept) => {
         size = kept;
-        return this.take(kept);
+        return this.take(kept, source);
       });
     } finally {
       this.#isRestoring = false;
-      if (this.#chosen !== before) this.take(size);
+      if (this.#chosen !== before) this.take(size, source);
     }
   }
 
