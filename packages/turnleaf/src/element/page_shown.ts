@@ -14,6 +14,9 @@ import type { ChosenTypography } from "./typography.ts";
  */
 const step = 1 / 32;
 
+/** The fraction by which pages may be shown otherwise than is expected: how thick a book is, is not known then. */
+const mostUnexpected = 1 / 8;
+
 /** Milliseconds for which a size stays before text is set for it: an edge that is dragged moves with every frame. */
 const settling = 200;
 
@@ -124,16 +127,17 @@ export class PageShown {
     const [set, shown] = [this.size, this.#shown()];
     // Miniatures are set alike, however small they are.
     if (shown === null || (isMiniature(shown) && isMiniature(set))) return true;
-    return isAbout(shown, set);
+    return !differs(shown.width, set.width) && !differs(shown.height, set.height);
   }
 }
 
-/** Returns whether text that is set for pages of one size is shown in another. */
-export function isAbout(shown: PageSize, set: PageSize): boolean {
-  return !differs(shown.width, set.width) && !differs(shown.height, set.height);
+/** Returns whether pages may be shown in a size that they had before, though another is expected. */
+export function mayBeShown(before: PageSize, expected: PageSize): boolean {
+  const isOther = (a: number, b: number): boolean => differs(a, b, mostUnexpected);
+  return !isOther(before.width, expected.width) && !isOther(before.height, expected.height);
 }
 
-/** Returns whether two lengths differ by more than a step. */
-export function differs(a: number, b: number): boolean {
-  return Math.abs(a / b - 1) > step;
+/** Returns whether two lengths differ by more than a step, or another fraction. */
+export function differs(a: number, b: number, by: number = step): boolean {
+  return Math.abs(a / b - 1) > by;
 }

@@ -4,7 +4,7 @@ import type { PageList } from "../sources/page_list.ts";
 import type { PageSize, Typography } from "../sources/page_source.ts";
 import { paperback } from "../sources/typeset/page_measures.ts";
 import type { OpenBook } from "./open_book.ts";
-import { differs, type ExpectedPage, expectedPage, isAbout, PageShown } from "./page_shown.ts";
+import { differs, type ExpectedPage, expectedPage, mayBeShown, PageShown } from "./page_shown.ts";
 import { type ChosenTypography, typographyOf } from "./typography.ts";
 
 /** Sets the text of one element's books. */
@@ -67,7 +67,7 @@ export class TextSetting {
     const typography = typographyOf(this.#element);
     this.#taken = JSON.stringify(typography);
     const expected = expectedPage(this.#element, this.#place, source, null, typography);
-    this.#pageShown.size = kept && isAbout(kept, expected) ? kept : expected;
+    this.#pageShown.size = kept && mayBeShown(kept, expected) ? kept : expected;
     return this.#setFor(typography);
   }
 
