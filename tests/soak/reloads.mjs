@@ -64,6 +64,17 @@ const isAtRest = () => {
 
 const isCounted = () => document.querySelector("turnleaf-book")?.estimated === false;
 
+/** Whether the text of every open page that has some lies over it: each is read by itself, after it is drawn. */
+const isRead = async () => {
+  const book = document.querySelector("turnleaf-book");
+  const groups = [...book.shadowRoot.querySelectorAll(".text > *")];
+  const { left, right } = book.spread;
+  const pages = [left, right].filter((page) => page !== null).sort((a, b) => a - b);
+  const { signal } = new AbortController();
+  const texts = await Promise.all(pages.map((page) => book.source.text(page - 1, signal)));
+  return texts.every((runs, k) => runs.length === 0 || groups[k]?.querySelector(".spoken"));
+};
+
 /** The first words of the first open page that has text, its number, and whether pages are being counted. */
 const headOfPage = () => {
   const book = document.querySelector("turnleaf-book");
@@ -73,11 +84,10 @@ const headOfPage = () => {
   return { text, page: book.page, pageCount: book.pageCount, isCounting: book.estimated };
 };
 
-/** What the page says once it is at rest: the text of its pages is read after they are drawn. */
+/** What the page says once it is at rest and the text of all open pages is read. */
 async function headAtRest(page) {
   await until(page, isAtRest);
-  const hasText = () => document.querySelector("turnleaf-book").shadowRoot.querySelector(".spoken");
-  await page.waitForFunction(hasText, undefined, { timeout: 3000 }).catch(() => {});
+  await until(page, isRead);
   return page.evaluate(headOfPage);
 }
 

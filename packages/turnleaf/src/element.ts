@@ -27,7 +27,12 @@ import { WatchedChildren } from "./element/watched_children.ts";
 import { loadPart } from "./sources/load_part.ts";
 import type { BookInput } from "./sources/open.ts";
 import type { PageList } from "./sources/page_list.ts";
-import { BookError, type NewIndex, type PageColours } from "./sources/page_source.ts";
+import {
+  BookError,
+  type NewIndex,
+  type PageColours,
+  type PageSize,
+} from "./sources/page_source.ts";
 import { coloursOf } from "./themes.ts";
 import type { Viewer, ViewerOptions, Zoom } from "./viewer/viewer.ts";
 import type { FilmFrames } from "./viewer/viewer_options.ts";
@@ -399,6 +404,11 @@ export class TurnleafBook extends TearableElement {
   }
 
   /** @internal */
+  protected override get textSize(): PageSize {
+    return this.#text.size;
+  }
+
+  /** @internal */
   protected override get book(): OpenBook | null {
     return this.#life.book;
   }
@@ -500,7 +510,7 @@ export class TurnleafBook extends TearableElement {
   }
 
   async #restore(source: PageList, src: string): Promise<void> {
-    const found = await this.#text.restore((typography) =>
+    const found = await this.#text.restore(source, (typography) =>
       this.restorePlace(source, src, typography, this.#left?.anchor),
     );
     if (this.#left && found !== null) this.#left = { ...this.#left, page: found };
@@ -532,9 +542,17 @@ export class TurnleafBook extends TearableElement {
     book.source.colours = colours;
     book.viewer.recolour(theme);
     book.roll?.recolour();
+    this.#printByDay(book);
   }
 
-  /** Sets how the web page's own print shows the book: in the colours of now, as no page is drawn while it prints. */
+  #printByDay(book: OpenBook): void {
+    book.printByDay().catch((error: unknown) => this.reportMissingPart(error));
+  }
+
+  /**
+   * Sets how the web page's own print shows the book where its pages are not drawn by day yet: in the colours of
+   * now turned over, as no page is drawn while it prints.
+   */
   #setPrintFilter(): void {
     const filter = printFilterOf(this.source?.colours ?? null, this.darkPagesNow);
     this.#tree.stage.style.setProperty("--printed", filter);
@@ -586,7 +604,8 @@ export class TurnleafBook extends TearableElement {
     };
   }
 
-  #opened({ source, viewer }: OpenBook): void {
+  #opened(book: OpenBook): void {
+    const { source, viewer } = book;
     const { binding } = viewer;
     // A page may have been requested since the book was laid open.
     const isElsewhere = this.#asked.page !== null && this.#asked.page !== this.#left?.page;
@@ -602,6 +621,7 @@ export class TurnleafBook extends TearableElement {
     this.#follow(viewer);
     this.foldOpened();
     this.tearOpened(source);
+    this.#printByDay(book);
     this.emit("load", { pageCount: source.pageCount, title: source.title });
   }
 

@@ -254,6 +254,7 @@ export class BookLifecycle {
       signal.throwIfAborted();
       const parts = { canvas, source, viewer, elements, roll };
       this.#book = new OpenBook(this.#element, this.#stage, this.#home, parts, this.#hooks);
+      this.#book.keepOpen();
       // Only now: the element asks for this book when its first layout is reported.
       this.#book.fit();
     } catch (error) {

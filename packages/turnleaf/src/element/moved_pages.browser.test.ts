@@ -67,6 +67,19 @@ function watchStocks(): () => unknown {
   return () => runs;
 }
 
+test("of two open pages the one that was asked for stays in sight when others come between them", async () => {
+  for (const duration of ["0", "0.2"]) {
+    const element = await opened({ duration });
+    await element.goTo(6);
+    const { right } = element.spread;
+    await element.goTo(1);
+    await element.goTo(right as number);
+    await element.insertPages(right as number, scans(4));
+    expect(Object.values(element.spread)).toContain((right as number) + 4);
+    element.remove();
+  }
+});
+
 test("pages of board and leaves of a stock stay what they are as a leaf is torn out and put back", async () => {
   const element = await opened({ "hard-pages": "5-6,9-10", stocks: "coated 11-12, card 5-6" });
   expect(hardLeaves(element)).toEqual([2, 4]);

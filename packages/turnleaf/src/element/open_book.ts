@@ -5,6 +5,7 @@ import { leftPage, rightPage } from "../book/spreads.ts";
 import type { ElementPlane } from "../element_plane.ts";
 import { Input } from "../input/input.ts";
 import type { Gesture } from "../input/target.ts";
+import { loadPart } from "../sources/load_part.ts";
 import type { PageList } from "../sources/page_list.ts";
 import type { NewIndex } from "../sources/page_source.ts";
 import type { MovedPages } from "../viewer/moved_pages.ts";
@@ -12,6 +13,7 @@ import type { Viewer } from "../viewer/viewer.ts";
 import { languageOf } from "../words/languages.ts";
 import { allowsGesture } from "./attribute_options.ts";
 import type { BookElements, GoTo } from "./book_elements.ts";
+import type { DayPrint } from "./day_print.ts";
 import { layoutLists, type PageLists } from "./page_lists.ts";
 import { pageTap } from "./page_tap.ts";
 import { ReadableBook } from "./readable_book.ts";
@@ -62,6 +64,8 @@ export class OpenBook {
   readonly #hooks: Pick<OpenBookHooks, "renumbered" | "lists">;
   readonly #plane: ElementPlane;
   readonly #ended = new AbortController();
+  /** What is printed of it, once it is shown in a dark theme. */
+  #dayPrint: Promise<DayPrint> | null = null;
 
   constructor(
     element: HTMLElement,
@@ -136,16 +140,40 @@ export class OpenBook {
    */
   followSource(change: () => NewIndex): Promise<boolean> {
     return this.changePages(() => {
+      this.keepOpen();
       this.#keepSide();
       return change();
     });
   }
 
-  #keepSide(): void {
+  /** Has the open pages printed by day with the web page, where they are seen in a dark theme. */
+  async printByDay(): Promise<void> {
+    if (this.#dayPrint === null && !this.source.colours?.isDark) return;
+    const { source, viewer, canvas } = this;
+    const isScrolled = (): boolean => this.roll?.isShown ?? false;
+    const { signal } = this.#ended;
+    this.#dayPrint ??= loadPart(import("./day_print.ts")).then(
+      ({ DayPrint }) => new DayPrint({ source, viewer, canvas, isScrolled }, signal),
+    );
+    const print = await this.#dayPrint;
+    if (!signal.aborted) print.update();
+  }
+
+  /** Has the source keep what the reader sees at the head of the open pages. */
+  keepOpen(): void {
+    this.source.keepOpen(this.#openPages.flatMap((page) => (page === null ? [] : [page - 1])));
+  }
+
+  /** The open pages in the order of reading, null for a bare side. */
+  get #openPages(): readonly (number | null)[] {
     const { binding, turning } = this.viewer;
-    if (binding.layout !== "spread") return;
     const sides = [leftPage(binding, turning.spread), rightPage(binding, turning.spread)];
-    const [first = null, second = null] = binding.reversed ? sides.reverse() : sides;
+    return binding.reversed ? sides.reverse() : sides;
+  }
+
+  #keepSide(): void {
+    if (this.viewer.binding.layout !== "spread") return;
+    const [first = null, second = null] = this.#openPages;
     if (first !== null) this.source.keepSide(first - 1, "first");
     else if (second !== null) this.source.keepSide(second - 1, "second");
   }

@@ -14,6 +14,9 @@ import type { ChosenTypography } from "./typography.ts";
  */
 const step = 1 / 32;
 
+/** The fraction by which pages may be shown otherwise than is expected: how thick a book is, is not known then. */
+const mostUnexpected = 1 / 8;
+
 /** Milliseconds for which a size stays before text is set for it: an edge that is dragged moves with every frame. */
 const settling = 200;
 
@@ -128,7 +131,13 @@ export class PageShown {
   }
 }
 
-/** Returns whether two lengths differ by more than a step. */
-export function differs(a: number, b: number): boolean {
-  return Math.abs(a / b - 1) > step;
+/** Returns whether pages may be shown in a size that they had before, though another is expected. */
+export function mayBeShown(before: PageSize, expected: PageSize): boolean {
+  const isOther = (a: number, b: number): boolean => differs(a, b, mostUnexpected);
+  return !isOther(before.width, expected.width) && !isOther(before.height, expected.height);
+}
+
+/** Returns whether two lengths differ by more than a step, or another fraction. */
+export function differs(a: number, b: number, by: number = step): boolean {
+  return Math.abs(a / b - 1) > by;
 }

@@ -34,6 +34,17 @@ it("keeps a book's place and gives it back", () => {
   expect(loadPlace("b")?.page).toBe(3);
 });
 
+it("keeps the size of pages for which text is set, unless it is none", () => {
+  storage();
+  const text = { anchors: ["1:20"], typography: {}, size: { width: 343, height: 525.5 } };
+  savePlace("a", { ...plain, text });
+  expect(loadPlace("a")?.text).toEqual(text);
+  for (const size of [[0, 10], [343], "343", [1e9, 500], [null, 500]]) {
+    storage(JSON.stringify([["a", 3, 1, [], [], [["1:20"], {}, size]]]));
+    expect(loadPlace("a")?.text).toEqual({ anchors: ["1:20"], typography: {} });
+  }
+});
+
 it("keeps a hundred books, the last read", () => {
   const held = storage();
   for (let i = 1; i <= 150; i++) savePlace(`${i}`, { ...plain, page: i });

@@ -10,7 +10,7 @@ import type { PageFold } from "../book/page_folds.ts";
 import type { BookState } from "../book/turning.ts";
 import { pageInHash, pageOfHash } from "../sources/page_hash.ts";
 import type { PageList } from "../sources/page_list.ts";
-import type { Typography } from "../sources/page_source.ts";
+import type { PageSize, Typography } from "../sources/page_source.ts";
 import { cleanDogEars, cleanFolds } from "./fold_lists.ts";
 import type { PageLists } from "./page_lists.ts";
 import { cleanPages, isPage } from "./page_numbers.ts";
@@ -46,6 +46,7 @@ export class PlaceKeeper {
   readonly #book: PlacedBook;
   readonly #source: () => PageList | undefined;
   readonly #home: () => HomePlace;
+  readonly #textSize: () => PageSize;
   #ended: AbortController | null = null;
   /** Whether a book is open whose place is worth keeping. */
   #isOpen = false;
@@ -60,11 +61,18 @@ export class PlaceKeeper {
   /**
    * @param source returns the open book's pages
    * @param home returns where the book lies open and what names its pages, as it will be opened again
+   * @param textSize returns the size of pages for which text is set, CSS pixels
    */
-  constructor(book: PlacedBook, source: () => PageList | undefined, home: () => HomePlace) {
+  constructor(
+    book: PlacedBook,
+    source: () => PageList | undefined,
+    home: () => HomePlace,
+    textSize: () => PageSize,
+  ) {
     this.#book = book;
     this.#source = source;
     this.#home = home;
+    this.#textSize = textSize;
   }
 
   /** Starts listening: to the element, to the address, and to the page's unloading. */
@@ -122,13 +130,13 @@ export class PlaceKeeper {
    * is unknown. Never rejects: a book opens at its beginning where that fails.
    *
    * @param src the element's address of it
-   * @param typography returns how the attributes say that text is set
+   * @param typography returns how the attributes say that text is set, for pages of about the size that it is given
    * @param left the anchor at which the element left the book, if it was open before
    */
   async restore(
     source: PageList,
     src: string,
-    typography: () => Typography,
+    typography: (kept?: PageSize) => Typography,
     left?: string,
   ): Promise<number | null> {
     this.#addresses.set(source, src);
@@ -136,13 +144,18 @@ export class PlaceKeeper {
     const kept = isKept ? loadPlace(this.#name(source)) : null;
     this.#say(kept?.seen ?? {});
     if (!source.findAnchors) return null;
-    const { anchors = [], typography: said = {} } = kept?.text ?? {};
+    const { anchors = [], typography: said = {}, size } = kept?.text ?? {};
     const asked = this.#asked;
     // A number is of the pages as they were counted then: the text with which its page began says more.
     const isSamePage = asked === null || asked === kept?.page;
     const at = this.#askedText ?? (isSamePage ? anchors[0] : undefined);
     try {
-      if (this.#say(said)) await source.typeset?.(typography());
+      const isOther = this.#say(said);
+      const { width, height } = this.#textSize();
+      const setting = typography(size);
+      // Pages of another size begin with other words.
+      const now = this.#textSize();
+      if (isOther || now.width !== width || now.height !== height) await source.typeset?.(setting);
       const wanted = [at ?? "", left ?? "", ...anchors.slice(1)];
       const [index = null, leftAt = null, ...marks] = await source.findAnchors(wanted);
       const ofFolds = marks.splice(kept?.bookmarks.length ?? 0);
@@ -246,7 +259,9 @@ export class PlaceKeeper {
     const { first } = source;
     const pages = [page, ...bookmarks, ...pageFolds.map((fold) => fold.page)];
     const anchors = first.anchor && pages.map((one) => first.anchor?.(one - 1) ?? "");
-    const text = anchors ? { text: { anchors, typography: this.#said(typographyAttributes) } } : {};
+    const size = this.#textSize();
+    const typography = this.#said(typographyAttributes);
+    const text = anchors ? { text: { anchors, typography, ...(size.width > 0 && { size }) } } : {};
     const folds = dogEars.map(
       ({ page, corner, size }): SavedDogEar => [
         bookmarks.indexOf(page),
@@ -313,6 +328,8 @@ export interface SavedPlace {
     readonly anchors: readonly string[];
     /** The attributes that say how it is set. */
     readonly typography: Readonly<Record<string, string>>;
+    /** The size of pages for which it is set, CSS pixels; absent if that was unknown. */
+    readonly size?: PageSize;
   };
 }
 
@@ -329,6 +346,8 @@ const mostAnchors = 1001;
 /** Characters of an attribute's value. */
 const longestValue = 20;
 const longestStore = 400_000;
+/** CSS pixels. */
+const longestPage = 100_000;
 
 /** Returns the state kept of the book of a name, or null. */
 export function loadPlace(name: string): SavedPlace | null {
@@ -375,10 +394,19 @@ function dogEarsOf({ bookmarks, folds }: SavedPlace): readonly DogEar[] {
 /** Returns what is kept of flowing text, as far as it is what this code writes. */
 function cleanText(text: unknown): Pick<SavedPlace, "text"> {
   if (!Array.isArray(text)) return {};
-  const [anchors, said] = text;
+  const [anchors, said, size] = text;
   if (!Array.isArray(anchors) || !anchors.every((one) => typeof one === "string")) return {};
   const typography = cleanAttributes(typographyAttributes, said);
-  return { text: { anchors: anchors.slice(0, mostAnchors), typography } };
+  return { text: { anchors: anchors.slice(0, mostAnchors), typography, ...cleanSize(size) } };
+}
+
+/** Returns the size that is kept of pages, likewise. */
+function cleanSize(size: unknown): { readonly size?: PageSize } {
+  if (!Array.isArray(size) || size.length !== 2) return {};
+  const [width, height]: unknown[] = size;
+  const isLength = (length: unknown): length is number =>
+    typeof length === "number" && length > 0 && length < longestPage;
+  return isLength(width) && isLength(height) ? { size: { width, height } } : {};
 }
 
 /** Returns what is kept of some attributes, likewise. */
@@ -407,7 +435,8 @@ export function savePlace(name: string, place: SavedPlace): void {
   ]);
   const isSeen = Object.keys(seen).length > 0;
   const hasMore = folds.length > 0 || rows.length > 0 || isSeen;
-  if (text || hasMore) row.push(text ? [text.anchors, text.typography] : null);
+  const size = text?.size ? [[text.size.width, text.size.height]] : [];
+  if (text || hasMore) row.push(text ? [text.anchors, text.typography, ...size] : null);
   if (hasMore) row.push(folds, rows);
   if (isSeen) row.push(seen);
   const all = [row, ...others];

@@ -12,6 +12,7 @@ import {
   BookError,
   type OutlineEntry,
   type PagePicture,
+  type PageSize,
   type Typography,
 } from "../sources/page_source.ts";
 import type { SearchHit } from "../text/searching.ts";
@@ -49,6 +50,12 @@ export abstract class ReaderElement extends MarkedElement {
   abstract next(): Promise<boolean>;
   abstract readonly spread: { left: number | null; right: number | null };
   abstract readonly state: BookState;
+  /**
+   * The size of pages for which text is set, CSS pixels; 0 if it is unknown.
+   *
+   * @internal
+   */
+  protected abstract readonly textSize: PageSize;
 
   /** Keeps the place, once an attribute has asked for it. */
   #place: PlaceKeeper | null = null;
@@ -402,7 +409,8 @@ export abstract class ReaderElement extends MarkedElement {
     // Both attributes may have asked.
     if (this.#place) return;
     const source = () => this.source;
-    this.#place = new PlaceKeeper(this, source, () => this.homePlace);
+    const textSize = () => this.textSize;
+    this.#place = new PlaceKeeper(this, source, () => this.homePlace, textSize);
     if (this.isConnected) this.#place.follow();
   }
 
@@ -446,7 +454,7 @@ export abstract class ReaderElement extends MarkedElement {
    * it is shown. Resolves to the page (from 1) of `left`, null if that is unknown. Never rejects.
    *
    * @param src the element's address of it
-   * @param typography returns how the attributes say that text is set
+   * @param typography returns how the attributes say that text is set, for pages of about the size that it is given
    * @param left the anchor at which this element left the book, if it was open before
    *
    * @internal
@@ -454,7 +462,7 @@ export abstract class ReaderElement extends MarkedElement {
   protected async restorePlace(
     source: PageList,
     src: string,
-    typography: () => Typography,
+    typography: (kept?: PageSize) => Typography,
     left: string | undefined,
   ): Promise<number | null> {
     if (this.#place) return await this.#place.restore(source, src, typography, left);

@@ -205,8 +205,12 @@ ${night(':host([theme="night"])')}
 }
 [part="message"].beside[role="status"] { animation: late 0.5s step-end; }
 @keyframes late { from { visibility: hidden; } }
-[part="message"][hidden] { display: none; }
+[part="message"][hidden], .by-day { display: none; }
 @media print {
+  .by-day { display: block; }
+  .by-day > canvas { position: absolute; background: #fff; }
+  [part="stage"]:has(> .by-day > canvas) { filter: none !important; }
+  [part="stage"]:has(> .by-day > canvas) > [part="canvas"] { visibility: hidden; }
   :host(:is([controls], [theme])) { background: none; }
   :host([controls]) .room { padding-bottom: 0; }
   .home { inset: auto; width: var(--screen-width, 100%); height: var(--screen-height, 100%); }

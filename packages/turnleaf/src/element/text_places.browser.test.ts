@@ -102,6 +102,29 @@ describe("the place of a reader in flowing text", () => {
     120_000 * fuzz,
   );
 
+  test("is that of the same page after a reload in a window that was made larger by less than text is set anew for", async () => {
+    const first = await open({ remember: "" });
+    await counted(first);
+    await settled(first);
+    const { pageCount } = first;
+    // By 3 %: the page has another line, as its text is set from the beginning for it.
+    first.style.height = "494px";
+    await clock.pass(500);
+    await first.goTo(14);
+    const head = await headOf(first);
+    expect(first.pageCount).toBe(pageCount);
+    first.remove();
+    const again = book(null, { duration: "0", cover: "none", remember: "" });
+    again.style.cssText = first.style.cssText;
+    shown.push(again);
+    const loaded = happens(again, "load");
+    again.pages = epub();
+    await loaded;
+    await counted(again);
+    expect(await headOf(again)).toBe(head);
+    expect(again.pageCount).toBe(pageCount);
+  });
+
   test("keeps its side and its words while what is before it is counted; its address is renewed", async () => {
     holdCounting();
     const element = await open({ address: "" });

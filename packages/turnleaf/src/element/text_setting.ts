@@ -1,9 +1,10 @@
 /** How flowing text is set: by the element's attributes, for the size in which pages are shown. */
 
+import type { PageList } from "../sources/page_list.ts";
 import type { PageSize, Typography } from "../sources/page_source.ts";
 import { paperback } from "../sources/typeset/page_measures.ts";
 import type { OpenBook } from "./open_book.ts";
-import { differs, type ExpectedPage, expectedPage, PageShown } from "./page_shown.ts";
+import { differs, type ExpectedPage, expectedPage, mayBeShown, PageShown } from "./page_shown.ts";
 import { type ChosenTypography, typographyOf } from "./typography.ts";
 
 /** Sets the text of one element's books. */
@@ -49,11 +50,24 @@ export class TextSetting {
     return this.#chosen !== this.#taken;
   }
 
-  /** Returns how the text of a book is set that is about to be read. */
-  take(): Typography {
+  /** The size for which text is set, CSS pixels; 0 if it is unknown. */
+  get size(): PageSize {
+    const { width, height } = this.#pageShown.size;
+    return { width, height };
+  }
+
+  /**
+   * Returns how the text of a book is set that is about to be read.
+   *
+   * @param kept the size for which it was set when its reader left it: its pages end where they did, unless
+   * they are about to be shown in clearly another one
+   * @param source of the book, if that is open already
+   */
+  take(kept?: PageSize, source: PageList | null = null): Typography {
     const typography = typographyOf(this.#element);
     this.#taken = JSON.stringify(typography);
-    this.#pageShown.size = expectedPage(this.#element, this.#place, null, null, typography);
+    const expected = expectedPage(this.#element, this.#place, source, null, typography);
+    this.#pageShown.size = kept && mayBeShown(kept, expected) ? kept : expected;
     return this.#setFor(typography);
   }
 
@@ -61,14 +75,21 @@ export class TextSetting {
    * Has a function restore a reader's choices to the attributes, before a book is shown: its text is
    * set anew once, by all of them. Resolves to what that resolves to.
    */
-  async restore<Found>(restore: (typography: () => Typography) => Promise<Found>): Promise<Found> {
+  async restore<Found>(
+    source: PageList,
+    restore: (typography: (kept?: PageSize) => Typography) => Promise<Found>,
+  ): Promise<Found> {
     const before = this.#chosen;
+    let size: PageSize | undefined;
     this.#isRestoring = true;
     try {
-      return await restore(() => this.take());
+      return await restore((kept) => {
+        size = kept;
+        return this.take(kept, source);
+      });
     } finally {
       this.#isRestoring = false;
-      if (this.#chosen !== before) this.take();
+      if (this.#chosen !== before) this.take(size, source);
     }
   }
 

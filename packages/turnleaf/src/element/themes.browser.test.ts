@@ -1,6 +1,7 @@
 import { afterEach, expect, test } from "vitest";
 import { book, happens, scans } from "../for_tests/element_books.ts";
 import { eventually } from "../for_tests/eventually.ts";
+import { toolSession } from "../for_tests/real_mouse.ts";
 import { prose, tinyEpub } from "../sources/epub/tiny_epub.ts";
 import type { PagePicture } from "../sources/page_source.ts";
 import { tinyPdf } from "../sources/tiny_pdf.ts";
@@ -56,6 +57,47 @@ test("pictures in text keep their colours, and lie on white where they are clear
   const element = await opened(tinyEpub({ chapters, files: { "p.svg": svg } }), { theme: "night" });
   expect(await colourAt(element, 1, 0.3, 0.3)).toBe("255,0,0");
   expect(await colourAt(element, 1, 0.7, 0.3)).toBe("255,255,255");
+});
+
+test("by night the web page's own print has the open pages by day: white paper, pictures in their colours", async () => {
+  const svg =
+    '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 2 1"><rect width="2" height="1" fill="#f00"/></svg>';
+  const chapters = ['<p>x</p><img src="p.svg" alt="" style="display: block; width: 100%"/>'];
+  const epub = tinyEpub({ chapters, files: { "p.svg": svg } });
+  const cover = "0.8 0.1 0.1 rg 0 0 2000 2000 re f";
+  const kinds: readonly (readonly [string, Book["pages"], string])[] = [
+    ["an EPUB", epub, "255,0,0"],
+    ["a PDF's cover", tinyPdf({ pages: [cover, "", "", "", "", ""] }), "204,26,26"],
+  ];
+  for (const [name, pages, colour] of kinds) {
+    const element = await opened(pages, { theme: "night" });
+    const root = element.shadowRoot as ShadowRoot;
+    const stage = root.querySelector("[part=stage]") as HTMLElement;
+    const bookCanvas = root.querySelector("[part=canvas]") as HTMLElement;
+    const drawn = () => [...root.querySelectorAll<HTMLCanvasElement>(".by-day canvas")];
+    await eventually(() => drawn().length).toBe(1);
+    const [page] = drawn();
+    const at = (x: number, y: number): string => {
+      const pen = (page as HTMLCanvasElement).getContext("2d");
+      const [left, top] = [x * (page?.width ?? 0), y * (page?.height ?? 0)].map(Math.floor);
+      return [...(pen?.getImageData(left as number, top as number, 1, 1).data ?? [])].join();
+    };
+    expect(at(0.3, 0.25), name).toBe(`${colour},255`);
+    if (pages === epub) expect(at(0.3, 0.9)).toBe("255,255,255,255");
+    window.dispatchEvent(new Event("beforeprint"));
+    await toolSession().send("Emulation.setEmulatedMedia", { media: "print" });
+    const printed = [page?.checkVisibility(), getComputedStyle(bookCanvas).visibility];
+    const { filter } = getComputedStyle(stage);
+    const box = page?.getBoundingClientRect() as DOMRect;
+    await toolSession().send("Emulation.setEmulatedMedia", { media: "" });
+    expect([...printed, filter], name).toEqual([true, "hidden", "none"]);
+    expect(box.width, name).toBeGreaterThan(50);
+    expect(page?.checkVisibility(), name).toBe(false);
+    // By day the book itself is printed.
+    element.theme = "light";
+    await eventually(() => drawn().length).toBe(0);
+    element.remove();
+  }
 });
 
 test("a document is inverted by lightness and keeps hues, or dimmed if its reader says so", async () => {

@@ -192,6 +192,7 @@ export abstract class TurningElement extends ReaderElement {
     else if (this.state !== "resting") this.jumps.forget();
     const top = options?.top;
     if (top !== undefined && Number.isFinite(top)) this.book?.roll?.aim(page, top);
+    viewer.seek(page);
     const spread = spreadOf(viewer.binding, page);
     const motion = options?.motion === false ? "none" : this.motion;
     if (motion === "turn") return viewer.commands.goTo(spread);
@@ -276,6 +277,7 @@ export abstract class TurningElement extends ReaderElement {
    */
   protected pageChanged(from: number, to: number, direction: TurnDetail["direction"]): void {
     this.describe();
+    this.book?.keepOpen();
     this.#reported = to;
     this.emit("pagechange", { from, to, direction });
   }

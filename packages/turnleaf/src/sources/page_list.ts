@@ -214,6 +214,13 @@ export class PageList implements PageSource {
     entry?.source.keepSide?.(entry.index, side);
   }
 
+  keepOpen(indices: readonly number[]): void {
+    const open = indices.flatMap((index) => this.order.pages[index] ?? []);
+    for (const source of this.order.shown) {
+      source.keepOpen?.(open.flatMap((entry) => (entry.source === source ? [entry.index] : [])));
+    }
+  }
+
   /** Sets the first source's text anew, if it can be. */
   get typeset(): PageSource["typeset"] {
     const first = this.first;

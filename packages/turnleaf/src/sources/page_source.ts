@@ -427,6 +427,11 @@ export interface PageSource {
    */
   keepSide?(index: number, side: "first" | "second"): void;
   /**
+   * Says which pages (from 0) lie open, the first one first, whenever others do and before each change of
+   * the pages: what stands at the head of each stays in sight, however often pages are set and counted anew.
+   */
+  keepOpen?(indices: readonly number[]): void;
+  /**
    * Sets the listener for changes of the pages: text that is set in another
    * size, a length that was estimated. The source keeps its old pages until the
    * viewer, once the book lies still, calls `change`, which makes the change and

@@ -46,6 +46,8 @@ export class Rebinder {
   #options: BindingOptions;
   /** The page to keep in sight however the book is bound. */
   #place: number;
+  /** The page that was asked for last, until the book has come to rest. */
+  #asked: number | null = null;
   #mustBind = false;
   /** Makes the next books in the place of the engine of the book as it is. */
   #nextEngine: BookEngine | null = null;
@@ -111,6 +113,14 @@ export class Rebinder {
     this.#mustBind = true;
   }
 
+  /** Call it when a page (from 1) is asked for: it is kept in sight once it lies open, and not the one beside it. */
+  seek(page: number): void {
+    const { binding, turning } = this.#bound;
+    const isOpen = !turning.moving && pagesAt(binding, turning.spread).includes(page);
+    if (isOpen) this.#place = page;
+    this.#asked = isOpen ? null : page;
+  }
+
   /** Queues a change of the pages, as `Viewer.changePages` describes. */
   change(change: () => MovedPages): Promise<boolean> {
     if (this.#closed) return Promise.resolve(false);
@@ -165,10 +175,11 @@ export class Rebinder {
   rested(room: PageSize): void {
     this.#changePaper();
     const { binding, turning } = this.#bound;
+    const open = pagesAt(binding, turning.spread);
     // Of two visible pages, the requested one stays the place.
-    if (!pagesAt(binding, turning.spread).includes(this.#place)) {
-      this.#place = pageOf(binding, turning.spread);
-    }
+    if (this.#asked !== null && open.includes(this.#asked)) this.#place = this.#asked;
+    else if (!open.includes(this.#place)) this.#place = pageOf(binding, turning.spread);
+    this.#asked = null;
     const { source } = this.#parts.book;
     const mayChange =
       source.inSpread?.(this.#place - 1) === "single" || binding.layout !== this.#usual;

@@ -342,6 +342,11 @@ export class Viewer {
     this.#show();
   }
 
+  /** Call it before the book is turned to a page (from 1) that is asked for, as `Rebinder.seek`. */
+  seek(page: number): void {
+    this.#rebinder.seek(page);
+  }
+
   /**
    * Opens the book at a spread (clamped to the book) without turning leaves: by
    * a cross-fade, or at once. Resolves, once that is over, to whether the book

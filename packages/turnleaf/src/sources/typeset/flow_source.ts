@@ -33,13 +33,7 @@ import { leafOf, mayFace, paperback } from "./page_measures.ts";
 import type { SectionPage } from "./page_numbers.ts";
 import { RunningHeads } from "./running_heads.ts";
 import { SectionContents } from "./section_contents.ts";
-import {
-  anchorOf,
-  pageAtFraction,
-  pageOfPlace,
-  placeOfPage,
-  type TextPlace,
-} from "./text_place.ts";
+import { anchorOf, pageOfPlace, placeOfPage, type TextPlace } from "./text_place.ts";
 import { type LoadedTitleFont, loadTitleFont } from "./title_font.ts";
 import { ownTypography } from "./typography.ts";
 
@@ -391,6 +385,10 @@ export class FlowSource implements PageSource {
     this.#pages.keepSide(index, side);
   }
 
+  keepOpen(indices: readonly number[]): void {
+    this.#pages.keepOpen(indices);
+  }
+
   settle(signal?: AbortSignal): Promise<void> {
     return this.#counter.settle(signal);
   }
@@ -435,17 +433,16 @@ export class FlowSource implements PageSource {
     index: number,
     signal: AbortSignal,
   ): Promise<{ readonly laid: LaidChapter; readonly page: number }> {
-    const numbers = this.#pages.numbers;
+    const { numbering } = this.#pages;
     this.#at(index);
-    const numbered = numbers.at(index);
+    const numbered = numbering.numbers.at(index);
     const { section } = numbered;
     const laid = await this.#laid(section, signal);
-    const isEstimate = !numbers.isKnown(section);
     // It may have been counted since.
     const page =
-      numbers !== this.#pages.numbers && isEstimate
-        ? pageAtFraction(numbered.page / numbers.countOf(section), laid.map.pageCount)
-        : this.#pages.show(numbered).page;
+      numbering === this.#pages.numbering
+        ? this.#pages.show(numbered).page
+        : numbering.pageOf(numbered, laid.map);
     // Now that it is known what is shown under the number.
     this.#counter.checkCount(section, laid);
     return { laid, page };

@@ -53,8 +53,9 @@ export class PageCounter {
   readonly #book: FlowBook;
   readonly #counted: CountedBook;
   readonly #hooks: CounterHooks;
-  /** Another edition, whose pages are to replace these. */
+  /** Another edition, whose pages are to replace these once it is ready: laid out where the reader is. */
   #next: Edition | null = null;
+  #isReady = false;
   /** Resolves once all pages of the last edition are counted. */
   #counting: Promise<void>;
   #listener: ((change: () => NewIndex) => void) | null = null;
@@ -99,18 +100,25 @@ export class PageCounter {
 
   /** As `PageSource.findAnchors`. */
   async findAnchors(anchors: readonly string[]): Promise<readonly (number | null)[]> {
-    const edition = (this.#listener === null && this.#next) || this.edition;
     const places = anchors.map((anchor) => {
       const place = placeOfAnchor(anchor);
       return place !== null && place.section < this.#book.sections.length ? place : null;
     });
-    for (const place of places) {
-      // A section that cannot be laid out says so on its page.
-      if (place) await edition.measure(place.section).catch(() => {});
-    }
-    if (this.isClosed) throw closedError(this.#book.name);
-    if (this.#listener === null) this.#change();
-    else if (places.some((place) => place && !this.pages.numbers.isKnown(place.section)))
+    const current = (): Edition => (this.#listener === null && this.#next) || this.edition;
+    let edition: Edition;
+    do {
+      edition = current();
+      for (const place of places) {
+        // A section that cannot be laid out says so on its page.
+        if (place) await edition.measure(place.section).catch(() => {});
+      }
+      if (this.isClosed) throw closedError(this.#book.name);
+      // Another may have taken its place, which ended what it laid out.
+    } while (edition !== current());
+    if (this.#listener === null) {
+      this.#isReady = true;
+      this.#change();
+    } else if (places.some((place) => place && !this.pages.numbers.isKnown(place.section)))
       this.announce();
     // Of several on a page the first is kept.
     for (const place of [...places].reverse()) if (place) this.pages.keepPlace(place);
@@ -145,19 +153,23 @@ export class PageCounter {
     const next = new Edition(book, contents, warnings, lengths, typography, this.edition);
     this.#next?.close();
     this.#next = next;
-    try {
-      // Where the reader is first. What was drawn before the last jump is not seen.
-      const [here = 0] = this.#hooks.recent();
-      const near = this.#hooks
-        .recent()
-        .filter((section) => Math.abs(section - here) < nearSections);
-      for (const section of near) await next.lay(section);
-    } catch (error) {
-      if (this.#next !== next || this.isClosed) return;
-      // A section that cannot be laid out says so on its page.
-      if (!(error instanceof BookError)) throw error;
+    this.#isReady = false;
+    // Where the reader is first. What was drawn before the last jump is not seen.
+    const recent = this.#hooks.recent();
+    const [here = 0] = recent;
+    const near = recent.filter((section) => Math.abs(section - here) < nearSections);
+    for (const section of new Set([...this.pages.openSections, ...near])) {
+      try {
+        await next.lay(section);
+      } catch (error) {
+        if (this.#next !== next || this.isClosed) return;
+        // A section that cannot be laid out says so on its page.
+        if (!(error instanceof BookError)) throw error;
+      }
     }
-    if (this.#next === next) this.announce();
+    if (this.#next !== next) return;
+    this.#isReady = true;
+    this.announce();
   }
 
   /** Announces that pages have other numbers, once they are asked for. */
@@ -216,12 +228,12 @@ export class PageCounter {
     if (off > mostOff * pageCount) this.announce();
   }
 
-  /** Counts the pages anew: of another edition, or by what is known of this one. */
+  /** Counts the pages anew: of another edition that is ready, or by what is known of this one. */
   #change(): NewIndex {
     this.#isDue = false;
     this.#hasEstimate = this.#isSampled;
     this.#hooks.renumbering();
-    const next = this.#next;
+    const next = this.#isReady ? this.#next : null;
     if (next === null) {
       const moved = this.pages.change(this.edition);
       this.#hooks.renumbered(moved);

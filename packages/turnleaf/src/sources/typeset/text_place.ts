@@ -9,16 +9,20 @@ export interface TextPlace {
   readonly offset?: number;
   /** Pages without text, such as pictures, from the place to that character; 0 or more. */
   readonly before?: number;
-  /** The fraction of the section that lies before it, where that is all that is known. */
+  /** The fraction of the section that lies before it: all that is known of it where `offset` is not. */
   readonly fraction?: number;
 }
 
 /** Returns the place with which a page (from 0) of a section begins. */
-export function placeOfPage(section: number, page: number, { starts }: SectionMap): TextPlace {
+export function placeOfPage(
+  section: number,
+  page: number,
+  { starts, pageCount }: SectionMap,
+): TextPlace {
   const offset = starts[page] ?? 0;
   let last = page;
   while (starts[last + 1] === offset) last++;
-  return { section, offset, before: last - page };
+  return { section, offset, before: last - page, fraction: page / pageCount };
 }
 
 /** Returns the page (from 0) of a section on which a place lies. */
