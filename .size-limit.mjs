@@ -51,7 +51,7 @@ const apart = [
   part("another model of turning, live", 198, "leaf_models lying_sheet loose_leaf"),
   part("recorded turns", 20, "replay sheet_turn shell_turn"),
   // The table of formats has their names, endings and media types too, as the command reads it.
-  part("opens a book of any format", 13, "open"),
+  part("opens a book of any format", 13.3, "open"),
   part("photographs of a turn", 9, "photographs images image_header"),
   part("folded pages, leaves torn out", 243, "creasable_book folds line_folds tearing torn_pages"),
   part("pages that are elements, live in the air", 1, "live_drawings"),
@@ -66,7 +66,7 @@ const apart = [
     // Alignment, division of words, running heads and folios; tables that are turned and split, switches; XZ.
     // Packages, contents and chapters however they are written. What lies beyond its page, formulas, heights.
     // What files are that are not opened, links in tars, what several programs write of a comic.
-    268,
+    271,
     `${readers().join(" ")} budget clean_markup data_url file_paths font_type html_pages legacy_names media_overlays names package_document parse_markup svg unpacker unpacker_worker.ts writing_direction decode_text`,
   ),
   part("decodes TIFF and JPEG 2000", 60, "rare_images rare_size tiff_pages decoder_worker.ts"),
