@@ -43,7 +43,8 @@ export async function openInnerBook(
 
 /**
  * Returns the books in an archive, by the names of its files: one file of each. Empty if it is a comic, which
- * has images; one image may be a book's cover. An archive is one where there is no other, and a text alone, unless the archive is named as a comic.
+ * has images; one image may be a book's cover. An archive is one where there is no other, and so is a text
+ * alone, unless the archive is named as a comic.
  *
  * @param name of the archive
  */

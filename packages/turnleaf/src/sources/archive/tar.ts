@@ -37,7 +37,8 @@ interface Entry {
 
 /**
  * Opens a tar, of which only the headers are read. Links lead to the files that they name. What is behind a
- * damaged header is not found, and the archive says so. Rejects with a `BookError` if it has too many files, or cannot be read.
+ * damaged header is not found, and the archive says so. Rejects with a `BookError` if it has too many files,
+ * or cannot be read.
  *
  * @param name the file's name in sentences
  */

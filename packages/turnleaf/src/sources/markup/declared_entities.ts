@@ -9,7 +9,10 @@ const declaration = /<!ENTITY\s+([A-Z_a-z][\w.-]*)\s+(?:"([^"]*)"|'([^']*)')/g;
 /** A reference to an entity by its name. */
 const reference = /&([A-Z_a-z][\w.-]{0,63});/g;
 
-/** Entities that are read, and the characters of a value, of what it stands for with others in it, and of all that are put into a document. */
+/**
+ * Entities that are read, and the characters of a value, of what it stands for with others in it, and of all
+ * that are put into a document.
+ */
 const [most, longest, longestExpanded, mostAdded] = [256, 1000, 4000, 1_000_000];
 
 /**

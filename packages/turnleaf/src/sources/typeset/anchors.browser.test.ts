@@ -56,7 +56,7 @@ test("a book that is opened in one size and then set in that in which it was lef
   expect(found).toEqual(heads);
 });
 
-test("a reader stays where he is when pages are counted while the book is being set anew", async () => {
+test("a reader stays at one place when pages are counted while the book is being set anew", async () => {
   holdCounting();
   const source = await opened(3);
   const changes: (() => NewIndex)[] = [];

@@ -1,4 +1,7 @@
-/** Pages on which nothing would be seen: those between two breaks about an empty box, and those of blank paragraphs alone. */
+/**
+ * Pages on which nothing would be seen: those between two breaks about an empty box, and those of blank
+ * paragraphs alone.
+ */
 
 import { type Styles, setStyles } from "./box_styles.ts";
 import { boxesIn } from "./style_mentions.ts";

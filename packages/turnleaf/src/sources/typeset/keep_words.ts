@@ -1,4 +1,7 @@
-/** Words that would be broken though their page has room for them: beside a float, and in a box narrower than they are. */
+/**
+ * Words that would be broken though their page has room for them: beside a float, and in a box narrower than
+ * they are.
+ */
 
 import { setStyles } from "./box_styles.ts";
 import { boxesIn, type StyleMentions } from "./style_mentions.ts";

@@ -104,7 +104,7 @@ export class NumberedPages<Shown extends CountedEdition = Edition> {
     return { section, page: this.#numbering.pageOf(numbered, map) };
   }
 
-  /** Has the pages of a section whose numbers are estimates lie about the reader's place, if he is in it. */
+  /** Has the pages of a section whose numbers are estimates lie about the reader's place, if that is in it. */
   #followReader(section: number, map: SectionMap): void {
     const { numbers, shifts } = this.#numbering;
     if (numbers.isKnown(section) || shifts.has(section)) return;
