@@ -54,6 +54,12 @@ const changes = [
     "f=await i.fetchAsync(f)}catch(e){addPageError(e);break}",
     "f=await i.fetchAsync(f)}catch(t){addPageError(t);e.posInKids++;continue}",
   ],
+  // A first page that is damaged says so too, and is not blank; a tree with nothing else has no pages.
+  ["if(e&&t&&0===l){", "if(!1){"],
+  [
+    "posInKids:0});e.posInKids++}return s}",
+    "posInKids:0});e.posInKids++}if([...s.values()].every(([e])=>e instanceof Error))s.clear();return s}",
+  ],
 ];
 
 /** The Apache licence asks files that were changed to say so. */

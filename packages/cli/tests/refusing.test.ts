@@ -36,7 +36,7 @@ describe("what cannot be read ends with one sentence and status 1", () => {
     ["whole.pdf/x", /^\S+x was not found; check its name and folder\.\n$/],
     ["empty.pdf", /^\S+empty\.pdf is empty; get the file again\.\n$/],
     ["torn.pdf", /^\S+torn\.pdf is damaged or no PDF; repair the file or get it again\.\n$/],
-    ["half.pdf", /^\S+half\.pdf is damaged or no PDF; repair the file or get it again\.\n$/],
+    ["half.pdf", /^\S+half\.pdf has no pages; choose another file\.\n$/],
     ["page.pdf", /^\S+page\.pdf is a web page, not a book; PDF, EPUB, .* can be read\.\n$/],
     ["page.svg", /^\S+page\.svg is an SVG, which may hold scripts; PDF, .* can be read\.\n$/],
     [

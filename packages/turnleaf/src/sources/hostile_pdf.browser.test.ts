@@ -209,6 +209,18 @@ test.each([
   source.close();
 });
 
+test("of a PDF that has lost its end, a first page that is missing says so, and none is left without any", async () => {
+  const cut = (lost: RegExp): Uint8Array<ArrayBuffer> =>
+    changed((pdf) => pdf.replace(/trailer\n[\s\S]*$/, "").replace(lost, ""));
+  const source = await openSource(cut(/10 0 obj[\s\S]*?endobj/));
+  expect(source.pageCount).toBe(3);
+  await expect(source.text?.(0, never)).rejects.toMatchObject({ code: "damaged" });
+  expect((await source.text?.(1, never))?.[0]?.text).toBe("Call me Ishmael");
+  source.close();
+  const none = new File([cut(/10 0 obj[\s\S]*$/)], "a.pdf");
+  expect(await messageOf(openSource(none))).toBe("a.pdf has no pages; choose another file.");
+});
+
 test.each(["/Count 7 /Kids []", "/Count 0", "/Count 0 /Kids []"])(
   "the tree of pages %s has none",
   async (tree) => {
