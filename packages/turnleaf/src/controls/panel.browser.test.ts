@@ -130,6 +130,23 @@ test("a search lists its places with what stands about them, and counts them", a
   await eventually(status).toMatch(/pictures, without text/);
 });
 
+test("Enter in the search field goes to one hit after another, and searches for other words", async () => {
+  const hits = [3, 9].map((page) => ({ page, before: "a ", text: "whale", after: "" }));
+  const { book, root } = addFakeBook(1280, { hits });
+  named(root, "Search").click();
+  await userEvent.keyboard("whale{Enter}");
+  await eventually(() => root.querySelectorAll(".hit").length).toBe(2);
+  for (const went of ["hit 3", "hit 9", "hit 3"]) {
+    await userEvent.keyboard("{Enter}");
+    await eventually(() => book.asked.at(-1)).toBe(went);
+  }
+  expect(root.activeElement?.className).toBe("query");
+  book.hits = [];
+  await userEvent.keyboard("s{Enter}");
+  const status = root.querySelector(".found [role=status]");
+  await eventually(() => status?.textContent).toBe("Nothing found.");
+});
+
 test("bookmarks are listed in the book's order and can be taken off", async () => {
   const { book, root } = addFakeBook();
   named(root, "Bookmarks").click();

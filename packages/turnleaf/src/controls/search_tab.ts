@@ -29,7 +29,8 @@ export class SearchTab<Hit extends FoundPlace> implements PanelTab {
   #isPicking = false;
   /** Ends what waits for the reader to turn on from a hit. */
   #left = new AbortController();
-  /** How the text was set that was searched. */
+  /** What was searched for, and how the text was set then. */
+  #query = "";
   #typography = "";
 
   /** @param picked called when the reader went to a hit */
@@ -50,7 +51,9 @@ export class SearchTab<Hit extends FoundPlace> implements PanelTab {
     const form = make("form", { role: "search", class: "ask" }, icon("search"), this.#field);
     form.addEventListener("submit", (event) => {
       event.preventDefault();
-      void this.#find();
+      const isListed = this.#rows.length > 0 && this.#query === this.#field.value.trim();
+      if (isListed) this.#pickNext();
+      else void this.#find();
     });
     // The clear button in the field empties it.
     this.#field.addEventListener("input", () => {
@@ -106,6 +109,7 @@ export class SearchTab<Hit extends FoundPlace> implements PanelTab {
     if (query === "") return;
     const search = new AbortController();
     this.#search = search;
+    this.#query = query;
     this.#typography = typographyOf(this.#book);
     const { texts } = this.#wording;
     const { signal } = search;
@@ -131,6 +135,14 @@ export class SearchTab<Hit extends FoundPlace> implements PanelTab {
       this.#status.textContent =
         error instanceof Error ? this.#wording.sentence(error) : texts.nothingFound;
     }
+  }
+
+  /** Goes to the hit after the one that was gone to last, or to the first. */
+  #pickNext(): void {
+    const rows = [...this.#results.querySelectorAll<HTMLElement>(".hit")];
+    const next = rows[rows.findIndex((row) => row.ariaCurrent === "true") + 1] ?? rows[0];
+    next?.scrollIntoView({ block: "nearest" });
+    next?.click();
   }
 
   get #count(): string {
