@@ -56,3 +56,18 @@ test("while time passes a timer ends by frames alone, however long these take on
   await clock.pass(33);
   expect(isOver).toBe(true);
 });
+
+test("while timers are held none ends before time passes, however late that is on the machine", async () => {
+  clock.holdTimers();
+  let isOver = false;
+  // biome-ignore lint/plugin: the timers of the clock are what is tested.
+  setTimeout(() => (isOver = true), 5);
+  const end = Date.now() + 20;
+  while (Date.now() < end) {
+    // The machine is busy.
+  }
+  await clock.task();
+  expect(isOver).toBe(false);
+  await clock.pass(10);
+  expect(isOver).toBe(true);
+});

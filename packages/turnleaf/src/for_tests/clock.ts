@@ -4,7 +4,7 @@
  * machine is, and as soon as the browser has had a task between them: a turn of a second takes as long as
  * its work does. A timer ends once the frames have taken its time, and in any case once that is over on
  * the machine's clock, so that what waits for the network or a worker is not given up early; but not
- * while a test lets time pass, which is taken by frames alone, however long they take.
+ * while a test lets time pass, or holds timers, which then end by frames alone, however long they take.
  */
 
 /** Time between two frames, milliseconds. */
@@ -40,6 +40,8 @@ let isInstalled = false;
 let lastRequest = 0;
 /** Whether a test has asked that no frame be drawn but those it asks for. */
 let isHeld = false;
+/** Whether a test has asked that timers end by frames alone. */
+let holdsTimers = false;
 /** Calls that are drawing frames of their own. They may overlap, and end in any order, even in a later test. */
 let drawing = 0;
 /** Calls that are letting time pass. */
@@ -137,6 +139,8 @@ interface TestClock {
   readonly isAsked: boolean;
   /** Has frames drawn from now on only when the calls below ask for them. */
   hold(): void;
+  /** The same, and no timer ends meanwhile: of what a hand does that is led by messages, which may take their time. */
+  holdTimers(): void;
   /** Has frames drawn whenever they are requested. */
   run(): void;
   /** Has the frames that are requested never drawn: of what requests them for ever, once it is not looked at. */
@@ -167,8 +171,13 @@ export const clock: TestClock = {
   hold() {
     isHeld = true;
   },
+  holdTimers() {
+    isHeld = true;
+    holdsTimers = true;
+  },
   run() {
     isHeld = false;
+    holdsTimers = false;
     schedule();
   },
   dropRequests() {
@@ -223,7 +232,7 @@ export function installClock(): void {
     };
     if (!(milliseconds > 0)) return realTimeout(call, milliseconds);
     const end = (): void => {
-      if (passing > 0) timer.real = realTimeout(end, idleTime);
+      if (passing > 0 || holdsTimers) timer.real = realTimeout(end, idleTime);
       else if (timers.delete(id)) call();
     };
     const id = realTimeout(end, milliseconds);

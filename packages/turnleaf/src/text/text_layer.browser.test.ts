@@ -98,7 +98,7 @@ test("a finger that rests on a word selects it, and then words up to where it mo
   const states = new Set<string>();
   element.addEventListener("statechange", ({ detail }) => states.add(detail.state));
   const on = within("Ishmael. Some", 0.85);
-  clock.hold();
+  clock.holdTimers();
   // The browser selects the word too, by a clock of its own.
   document.addEventListener("selectstart", (event) => event.preventDefault(), { once: true });
   await finger("touchStart", on);
@@ -122,25 +122,27 @@ test("a finger that rests on a word selects it, and then words up to where it mo
 
 test("a finger that rests on a page beside its text selects nothing, and turns the leaf when it moves", async () => {
   const beside = { x: boxOf("never mind how").right - 5, y: boxOf("long Ishmael").bottom + 60 };
-  clock.hold();
+  clock.holdTimers();
   await finger("touchStart", beside);
   await clock.pass(600);
   await moveFinger(beside, { x: beside.x - 60, y: beside.y });
   expect(String(getSelection())).toBe("");
   expect(element.state).toBe("dragged");
   await finger("touchEnd");
+  clock.run();
   await settled(element);
 });
 
 test("a finger that moves at once turns the leaf, though text lies under it", async () => {
   const on = within("never mind how", 0.8);
-  clock.hold();
+  clock.holdTimers();
   await finger("touchStart", on);
   await moveFinger(on, { x: on.x - 60, y: on.y });
   await clock.pass(600);
   expect(String(getSelection())).toBe("");
   expect(element.state).toBe("dragged");
   await finger("touchEnd");
+  clock.run();
   await settled(element);
 });
 
