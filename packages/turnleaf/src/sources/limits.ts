@@ -45,6 +45,8 @@ export const limits = {
   /** Longest side a source may claim for a page, in its own unit. */
   pageSide: 200_000,
   titleLength: 300,
+  /** Names of authors that a book is said to have. */
+  authors: 20,
   labelLength: 40,
   urlLength: 4096,
   /** Length of an image written into a manifest as a data: URL. */

@@ -2,13 +2,7 @@
 
 import { cleanLanguage, cleanText } from "../book_text.ts";
 import { limits } from "../limits.ts";
-import {
-  type ComicMetadata,
-  comicTitle,
-  directionOf,
-  mostAuthors,
-  noMetadata,
-} from "./comic_metadata.ts";
+import { type ComicMetadata, comicTitle, directionOf, noMetadata } from "./comic_metadata.ts";
 import { metadataRoot, textIn } from "./metadata_markup.ts";
 
 /** Returns what an ACBF says; nothing of another document. */
@@ -19,7 +13,7 @@ export async function readAcbf(xml: string): Promise<ComicMetadata> {
     within?.getElementsByTagNameNS("*", name)[0];
   const info = find(root, "book-info");
   const [title, series] = [find(info, "book-title"), find(info, "sequence")];
-  const authors = [...(info?.getElementsByTagNameNS("*", "author") ?? [])].slice(0, mostAuthors);
+  const authors = [...(info?.getElementsByTagNameNS("*", "author") ?? [])].slice(0, limits.authors);
   const pages = [...(find(root, "body")?.getElementsByTagNameNS("*", "page") ?? [])];
   const imageOf = (element: Element | undefined): string =>
     find(element, "image")?.getAttribute("href") ?? "";

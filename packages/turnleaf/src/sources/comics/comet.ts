@@ -1,13 +1,8 @@
 /** CoMet: a file that says what a comic is, which side it is read from, and which image is its cover. */
 
 import { cleanLanguage } from "../book_text.ts";
-import {
-  type ComicMetadata,
-  comicTitle,
-  directionOf,
-  mostAuthors,
-  noMetadata,
-} from "./comic_metadata.ts";
+import { limits } from "../limits.ts";
+import { type ComicMetadata, comicTitle, directionOf, noMetadata } from "./comic_metadata.ts";
 import { metadataRoot, textIn, textsIn } from "./metadata_markup.ts";
 
 /** Returns what a CoMet.xml says; nothing of another document. */
@@ -16,8 +11,8 @@ export async function readComet(xml: string): Promise<ComicMetadata> {
   if (root === null) return noMetadata;
   const text = (name: string): string => textIn(root, name);
   const [writers, artists] = [
-    textsIn(root, "writer", mostAuthors),
-    textsIn(root, "penciller", mostAuthors),
+    textsIn(root, "writer", limits.authors),
+    textsIn(root, "penciller", limits.authors),
   ];
   return {
     ...noMetadata,

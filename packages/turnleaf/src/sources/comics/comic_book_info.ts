@@ -1,8 +1,9 @@
 /** ComicBookInfo: JSON in the comment of a ZIP that says what the comic in it is. */
 
 import { cleanLanguage, cleanText } from "../book_text.ts";
+import { limits } from "../limits.ts";
 import { isRecord } from "../manifest_checks.ts";
-import { type ComicMetadata, comicTitle, mostAuthors, noMetadata } from "./comic_metadata.ts";
+import { type ComicMetadata, comicTitle, noMetadata } from "./comic_metadata.ts";
 
 /** Returns what a ComicBookInfo says; nothing of another comment. */
 export function readComicBookInfo(comment: string): ComicMetadata {
@@ -17,7 +18,7 @@ export function readComicBookInfo(comment: string): ComicMetadata {
   return {
     ...noMetadata,
     title: comicTitle(text(info.series), text(info.issue), text(info.title)),
-    authors: names.filter((name) => name !== "").slice(0, mostAuthors),
+    authors: names.filter((name) => name !== "").slice(0, limits.authors),
     // Most name the language in English.
     language: /^[a-z]{2,3}(-|$)/i.test(language) ? cleanLanguage(language) : "",
   };

@@ -1,9 +1,7 @@
 /** What files beside a comic's pages say of it, in the formats of several programs. */
 
 import { cleanText } from "../book_text.ts";
-
-/** Names of authors that are read. */
-export const mostAuthors = 20;
+import { limits } from "../limits.ts";
 
 /** What is said of a page. */
 export interface ComicPage {
@@ -36,49 +34,28 @@ export interface ComicMetadata {
 
 /** Of a comic of which nothing is said. */
 export const noMetadata: ComicMetadata = {
-  ...{ title: "", authors: [], language: "", direction: null },
-  ...{ pages: new Map(), cover: "", order: [] },
+  title: "",
+  authors: [],
+  language: "",
+  direction: null,
+  pages: new Map(),
+  cover: "",
+  order: [],
 };
+
+/** Returns whether something is said: more than `noMetadata` has. */
+function isSaid(value: ComicMetadata[keyof ComicMetadata]): boolean {
+  if (value === null) return false;
+  return (typeof value === "object" && "size" in value ? value.size : value.length) > 0;
+}
 
 /** Returns what is said in one place or another: in the first that says it. */
 export function joinedMetadata(all: readonly ComicMetadata[]): ComicMetadata {
-  const first = <T>(values: readonly T[], isSaid: (value: T) => boolean, none: T): T =>
-    values.find(isSaid) ?? none;
-  const isText = (value: string): boolean => value !== "";
-  const isList = (value: readonly string[]): boolean => value.length > 0;
-  return {
-    title: first(
-      all.map(({ title }) => title),
-      isText,
-      "",
-    ),
-    authors: first(
-      all.map(({ authors }) => authors),
-      isList,
-      [],
-    ),
-    language: first(
-      all.map(({ language }) => language),
-      isText,
-      "",
-    ),
-    direction: all.map(({ direction }) => direction).find((one) => one !== null) ?? null,
-    pages: first(
-      all.map(({ pages }) => pages),
-      ({ size }) => size > 0,
-      new Map(),
-    ),
-    cover: first(
-      all.map(({ cover }) => cover),
-      isText,
-      "",
-    ),
-    order: first(
-      all.map(({ order }) => order),
-      isList,
-      [],
-    ),
-  };
+  const said = all.map(
+    (one): Partial<ComicMetadata> =>
+      Object.fromEntries(Object.entries(one).filter(([, value]) => isSaid(value))),
+  );
+  return Object.assign({ ...noMetadata }, ...said.reverse());
 }
 
 /** Returns a comic's title, as "Hero 3: The End", by the parts of it that are said. */
@@ -90,7 +67,7 @@ export function comicTitle(series: string, number: string, title: string): strin
 /** Returns the names in a list between commas. */
 export function listedNames(text: string): string[] {
   const names = text.split(",").map((name) => name.trim());
-  return names.filter((name) => name !== "").slice(0, mostAuthors);
+  return names.filter((name) => name !== "").slice(0, limits.authors);
 }
 
 /** Returns a direction as files write it, "rtl" or "LTR". */

@@ -1,7 +1,8 @@
 /** MetronInfo.xml: what programs that sort comics write into an archive, from the data of Metron. */
 
 import { cleanLanguage } from "../book_text.ts";
-import { type ComicMetadata, comicTitle, mostAuthors, noMetadata } from "./comic_metadata.ts";
+import { limits } from "../limits.ts";
+import { type ComicMetadata, comicTitle, noMetadata } from "./comic_metadata.ts";
 import { metadataRoot, textIn, textsIn } from "./metadata_markup.ts";
 
 /** Returns what a MetronInfo.xml says; nothing of another document. */
@@ -10,7 +11,7 @@ export async function readMetronInfo(xml: string): Promise<ComicMetadata> {
   if (root === null) return noMetadata;
   const [series] = root.getElementsByTagNameNS("*", "Series");
   const credits = [...root.getElementsByTagNameNS("*", "Credit")].slice(0, mostCredits);
-  const writers = credits.filter((one) => textsIn(one, "Role", mostAuthors).includes("Writer"));
+  const writers = credits.filter((one) => textsIn(one, "Role", limits.authors).includes("Writer"));
   const names = (writers.length > 0 ? writers : credits).map((one) => textIn(one, "Creator"));
   return {
     ...noMetadata,
@@ -19,7 +20,7 @@ export async function readMetronInfo(xml: string): Promise<ComicMetadata> {
       textIn(root, "Number"),
       textIn(root, "CollectionTitle") || textIn(root, "Story"),
     ),
-    authors: names.filter((name) => name !== "").slice(0, mostAuthors),
+    authors: names.filter((name) => name !== "").slice(0, limits.authors),
     language: cleanLanguage(series?.getAttribute("lang")),
   };
 }

@@ -30,9 +30,6 @@ const xlink = "http://www.w3.org/1999/xlink";
 /** Elements within each other that are read. */
 const deepest = 100;
 
-/** Names of authors that are shown. */
-const mostAuthors = 20;
-
 /** The elements of HTML by those of FictionBook; what is in no list is read as if it were not there. */
 const elements: Readonly<Record<string, string>> = {
   section: "section",
@@ -360,7 +357,7 @@ async function pictureIn(base64: string): Promise<string | null> {
 
 function authorsOf(info: Element | null): BookDetail[] {
   return childrenOf(info, "author")
-    .slice(0, mostAuthors)
+    .slice(0, limits.authors)
     .map((author) => {
       const names = ["first-name", "middle-name", "last-name"];
       const full = names.map((name) => childOf(author, name)?.textContent ?? "").join(" ");

@@ -1,12 +1,10 @@
 /** The first record of a Kindle book: how its text is packed, where its parts are, and what it says of itself. */
 
+import { limits } from "../limits.ts";
 import { languages } from "./languages.ts";
 
 /** A number that stands for no record. */
 const none = 0xffffffff;
-
-/** Maximum of authors that are read. */
-const mostAuthors = 20;
 
 /** What the first record says. Records are counted from the first one of its part of the file. */
 export interface KindleHeader {
@@ -81,7 +79,7 @@ export function readHeader(bytes: Uint8Array<ArrayBuffer>): KindleHeader | null 
     encoding,
     title: text(503) || decoder.decode(bytes.subarray(titleAt, titleAt + titleLength)),
     language: text(524) || (languages[long(92) & 0xff] ?? ""),
-    authors: all(100).slice(0, mostAuthors),
+    authors: all(100).slice(0, limits.authors),
     direction: text(527),
     isFixed: text(122) === "true",
     resolution: text(126),

@@ -16,9 +16,6 @@ export interface FrontMatter {
 /** Characters of it that are read. */
 const longest = 100_000;
 
-/** Names of authors that are shown. */
-const mostAuthors = 20;
-
 /** The marks about it, and what its lines look like, apart from those that are indented or blank. */
 const kinds = [
   {
@@ -66,7 +63,7 @@ function fieldsOf(lines: readonly string[]): Omit<FrontMatter, "rest"> {
   return {
     title: valuesOf("title")[0] ?? "",
     language: cleanLanguage(valuesOf("lang", "language", "locale")[0]),
-    authors: valuesOf("author", "authors", "creator").slice(0, mostAuthors),
+    authors: valuesOf("author", "authors", "creator").slice(0, limits.authors),
   };
 }
 

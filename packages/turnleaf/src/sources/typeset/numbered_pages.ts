@@ -199,8 +199,7 @@ export class NumberedPages<Shown extends CountedEdition = Edition> {
   change(after: Shown): NewIndex {
     const [before, numbers] = [this.#edition, this.numbers];
     const indices = Array.from({ length: numbers.pageCount }, (_, index) => index);
-    const open = [...this.#open.keys()].map((index) => [index, this.placeOn(index)] as const);
-    const places = indices.map((index) => this.placeOn(index));
+    const open = new Map([...this.#open.keys()].map((index) => [index, this.placeOn(index)]));
     const marks = indices.map((index) => this.#markedOn(index));
     // What was shown under each number, as far as that was known.
     const shown = indices.map((index) => this.#shown(numbers.at(index)).page);
@@ -209,11 +208,12 @@ export class NumberedPages<Shown extends CountedEdition = Edition> {
     this.#numbering = new Numbering(now);
     this.#open = new Map();
     // The reader's place is found first: the pages beside it lie about it.
-    for (const [, place] of open) {
+    for (const place of open.values()) {
       const to = this.indexOfPlace(place);
       if (!this.#open.has(to)) this.#open.set(to, place);
     }
-    const placeOf = (index: number): number => this.indexOfPlace(places[index] as TextPlace);
+    const placeOf = (index: number): number =>
+      this.indexOfPlace(open.get(index) ?? (marks[index] as TextPlace));
     this.#places = new Map();
     for (const [index, place] of marks.entries()) {
       if (place.offset === undefined) continue;
