@@ -139,7 +139,7 @@ interface TestClock {
   readonly isAsked: boolean;
   /** Has frames drawn from now on only when the calls below ask for them. */
   hold(): void;
-  /** The same, and no timer ends meanwhile: of what a hand does that is led by messages, which may take their time. */
+  /** The same, and no timer ends meanwhile: for pointers that are led by messages, which may take their time. */
   holdTimers(): void;
   /** Has frames drawn whenever they are requested. */
   run(): void;
