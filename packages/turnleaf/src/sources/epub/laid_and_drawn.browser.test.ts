@@ -312,7 +312,7 @@ test.each([
 ])("words that are hidden %s are on no page", async (_, style, direction = "ltr") => {
   // Fewer than fill a line, and more.
   for (const hidden of ["not", "not one of them ".repeat(8)]) {
-    const body = `${prose(20)}<h2 style="page-break-before: always">seen</h2><p style="${style}">${hidden}</p>`;
+    const body = `${prose(2)}<h2 style="page-break-before: always">seen</h2><p style="${style}">${hidden}</p>`;
     const source = await laidOutEpub({
       chapters: [document("", body).replace("<html", `<html dir="${direction}"`)],
     });
