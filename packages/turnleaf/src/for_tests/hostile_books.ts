@@ -172,6 +172,29 @@ const chapters: Readonly<Record<string, readonly [css: string, body: string]>> =
     "html { --a: repeat(3000000, 1px) / 1px; } div { display: grid; grid-template: var(--a); grid-template-columns: 2px; }",
     "<div><p>a</p></div>",
   ],
+  "boxes of millions of pages": ["div { height: 33000000px; }", "<div>a</div>".repeat(50)],
+  "fields of millions of lines": ["", '<textarea rows="10000000">a</textarea>'.repeat(20)],
+  "columns within columns": [
+    "div { columns: 2; }",
+    `${"<div>".repeat(30)}<p>${"word ".repeat(300)}</p>${"</div>".repeat(30)}`,
+  ],
+  "rules within rules": [
+    `.a { ${"& &, & p { ".repeat(25)} color: red; ${"} ".repeat(25)} }`,
+    "<p>a</p>".repeat(20),
+  ],
+  "content of nested rules": [
+    `p { &::before { content: "${"word ".repeat(100_000)}"; } }`,
+    "<p>a</p>".repeat(1000),
+  ],
+  "long marks of counters": [
+    `@counter-style long { system: cyclic; symbols: "${"long ".repeat(200_000)}"; } ol { list-style: long inside; }`,
+    `<ol>${"<li>a</li>".repeat(3000)}</ol>`,
+  ],
+  "long marks of lists": [
+    `ul { list-style: "${"long ".repeat(900)}" inside; }`,
+    `<ul>${"<li>a</li>".repeat(3000)}</ul>`,
+  ],
+  "marks upon a letter": ["", `<p>a${"\u0301".repeat(100_000)}</p>`],
   "rules that look for descendants": [
     times(300, (k) => `*:has(.a${k} ~ .b) { color: red; }`),
     "<div><p>a</p></div>".repeat(20_000),
@@ -180,6 +203,14 @@ const chapters: Readonly<Record<string, readonly [css: string, body: string]>> =
     times(500, (k) => `p ~ i ~ p:not(.a${k}) ~ b { color: red; }`),
     "<p>a</p>".repeat(20_000),
   ],
+};
+
+/** Chapters that are read, however long what they have is. */
+const long: Readonly<Record<string, string>> = {
+  "thick lines about letters": `<p style="-webkit-text-stroke: 10000px red">${"word ".repeat(3000)}</p>`,
+  "a word of 400,000 letters": `<p>${"w".repeat(400_000)}</p>`,
+  "a paragraph that changes its direction": `<p>${"a \u05d0 ".repeat(50_000)}</p>`,
+  "a hundred thousand lines": `${"<hr/>".repeat(100_000)}<p>Here.</p>`,
 };
 
 /** A book by its name, as a file. */
@@ -312,6 +343,13 @@ export function hostileBooks(): readonly HostileBook[] {
       make: () => file([tinyEpub({ chapters: [`<p>${"a<br/>".repeat(60_000)}</p>`] })], "a.epub"),
       isRefused: false,
     },
+    ...Object.entries(long).map(
+      ([what, body]): HostileBook => ({
+        name: `an EPUB: ${what}`,
+        make: () => file([tinyEpub({ chapters: [body] })], "a.epub"),
+        isRefused: false,
+      }),
+    ),
     ...["", 'b="&gt;"', 'b=">"'].map(
       (first): HostileBook => ({
         name: `an EPUB: attributes of one element ${first}`,

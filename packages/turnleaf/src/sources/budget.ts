@@ -24,6 +24,12 @@ const addedBesides = 2000;
 /** Layers within each other: each may have all pixels of a page, 64 MB; a gigabyte in all. */
 const deepestLayers = 16;
 
+/** Columns within each other, besides those of pages: with each more a browser takes four times as long. */
+const deepestColumns = 4;
+
+/** Steps in which marks upon a letter are put in their places, some ten nanoseconds each: as many as they are, squared. */
+const mostMarkSteps = 100_000_000;
+
 /**
  * Steps of the filters that a thing goes through, its own and those around it: one of a whole page takes some
  * 25 milliseconds. Drawing programs write filters of up to some 25 steps.
@@ -49,6 +55,8 @@ const mostSiblings = 4000;
 /** Characters of a value: 200 shadows, which books have at most. And those of all text that style adds to a chapter. */
 const longestValue = 5000;
 const mostGenerated = 1_000_000;
+/** Characters that may be added to each element there is. */
+const fewCharacters = mostGenerated / limits.elements;
 
 /** The greatest number of columns, rows and lines of a grid. */
 const mostTracks = 9999;
@@ -58,6 +66,8 @@ interface Cost {
   readonly elements: number;
   /** Layers within each other. */
   readonly layers: number;
+  /** Columns within each other. */
+  readonly columns: number;
   /** Steps of filters, along the way through them that has the most. */
   readonly filterSteps: number;
   /** Whether any of it is clipped: a clip that is takes a layer, others do not. */
@@ -69,13 +79,36 @@ interface PictureCost extends Cost {
   readonly pixels: number;
 }
 
-const nothing: Cost = { elements: 0, layers: 0, filterSteps: 0, isClipped: false };
+/** A rule of a style sheet. */
+interface StyleRule {
+  /** Its selector, with those of the rules that it is nested in. */
+  readonly selectorText: string;
+  /** Its selector as it is written. */
+  readonly ownSelector: string;
+  /** What it is nested in. */
+  readonly outer: StyleRule | null;
+  readonly style: CSSStyleDeclaration;
+}
+
+const nothing: Cost = { elements: 0, layers: 0, columns: 0, filterSteps: 0, isClipped: false };
 const plainCost: Cost = { ...nothing, elements: 1 };
 const noPicture: PictureCost = { ...nothing, pixels: 0 };
 
 /** Declarations for which an element and what is in it are drawn on a layer of their own. */
 const layered =
   /(?:^|[\s;])(?:-webkit-)?(?:opacity|mask|mask-image|filter|backdrop-filter|mix-blend-mode|isolation)\s*:\s*(?!none|auto|normal|1\b)/;
+
+/** Declarations for which an element is set in columns. */
+const columned = /(?:^|[\s;])(?:columns|column-(?:count|width))\s*:\s*(?!auto\s*(?:;|$))/;
+
+/** Marks upon a letter: more than any language writes. */
+const manyMarks = /\p{M}{100,}/gu;
+
+/** Properties whose strings are written at elements that have others' text: marks of lists, quotes, hyphens. */
+const writing = ["list-style-type", "quotes", "hyphenate-character", "text-emphasis-style"];
+
+/** A string of CSS, as the browser writes it. */
+const cssString = /"(?:[^"\\]|\\.)*"/g;
 
 /** Pseudo-elements, whose rules are about the elements that have them. */
 const pseudoElement = /::?(before|after|marker|first-line|first-letter)\b/g;
@@ -155,14 +188,16 @@ class Count {
     const { length } = this.#elements;
     if (length > limits.elements) this.#reject(`it has ${length} elements`);
     this.#checkStyle();
+    this.#checkMarks();
     const pixels = await this.#checkPictures();
     const cost = this.#total();
-    const { elements, layers, filterSteps } = cost;
+    const { elements, layers, columns, filterSteps } = cost;
     // What is in its pictures, each of them once, is there too, and within a budget of its own.
     const there = [...this.#pictures.values()].reduce((sum, one) => sum + one.elements, length);
     const most = Math.min(there + addedEach * there + addedBesides, limits.elements);
     if (!(elements <= most)) this.#reject("its elements stand for too many others");
     if (!(layers <= deepestLayers)) this.#reject("too many of its layers are within each other");
+    if (columns > deepestColumns) this.#reject("too many of its columns are within each other");
     if (!(filterSteps <= mostFilterSteps)) this.#reject("its filters have too many steps");
     // What is in a chapter is measured where that is laid out.
     if (this.#depth !== null && length > leastPainted) {
@@ -197,11 +232,13 @@ class Count {
     this.#costs.set(element, null);
     let elements = spanOf(element);
     let layers = 0;
+    let columns = 0;
     let filterSteps = 0;
     let isClipped = false;
     const add = (cost: Cost, times = 1): void => {
       elements += times * cost.elements;
       layers = Math.max(layers, cost.layers);
+      columns = Math.max(columns, cost.columns);
       filterSteps = Math.max(filterSteps, cost.filterSteps);
       isClipped ||= cost.isClipped;
     };
@@ -222,7 +259,13 @@ class Count {
     }
     isClipped ||= /clip-path\s*:/.test(text);
     filterSteps += ownSteps;
-    const cost = { elements, layers: layers + (isLayer ? 1 : 0), filterSteps, isClipped };
+    const cost = {
+      elements,
+      layers: layers + (isLayer ? 1 : 0),
+      columns: columns + (columned.test(text) ? 1 : 0),
+      filterSteps,
+      isClipped,
+    };
     this.#costs.set(element, cost);
     return cost;
   }
@@ -236,13 +279,19 @@ class Count {
       this.#sheets.some((css) => css.includes("attr(")) ? this.#elements : [],
     );
     let [generated, compared, blurred] = [0, 0, 0];
+    // Marks are written at any elements, as what has them is told by names and handed down.
+    for (const css of this.#sheets) generated += this.#writtenEach(longestMark(css));
     for (const { selectorText, style } of rules) {
       const added = values.lengthOf(style.getPropertyValue("content"));
+      generated += this.#writtenEach(
+        stringsIn(writing.map((name) => style.getPropertyValue(name)).join(" ")),
+      );
+      if (generated > mostGenerated) this.#reject("its style adds too much text");
       const text = style.cssText.replace(dataAddress, "");
       this.#checkDeclarations(text, values);
-      const isDrawn = layered.test(text) || text.includes("url(");
+      const isCounted = layered.test(text) || columned.test(text) || text.includes("url(");
       const blur = values.blurOf(style);
-      if (added <= mostGenerated / limits.elements && !isDrawn && blur === 0) continue;
+      if (added <= fewCharacters && !isCounted && blur === 0) continue;
       compared += this.#elements.length;
       // Found here, they take ten times as long as in the layout.
       if (compared > mostSteps / 10) this.#reject("its style has too many rules for its elements");
@@ -251,7 +300,7 @@ class Count {
       if (generated > mostGenerated) this.#reject("its style adds too much text");
       blurred += blur * matched.length;
       if (blurred > mostBlurred) this.#reject("its shadows are too many and too large");
-      if (!isDrawn) continue;
+      if (!isCounted) continue;
       for (const one of matched) {
         this.#styles.set(one, `${this.#styles.get(one) ?? ""};${text}`);
       }
@@ -260,6 +309,19 @@ class Count {
       if (!element.hasAttributes()) continue;
       this.#checkDeclarations(ownStyle(element).replace(dataAddress, ""), values);
     }
+  }
+
+  /** Returns what marks of so many characters come to, one at each element; few are as good as none. */
+  #writtenEach(length: number): number {
+    return length <= fewCharacters ? 0 : length * this.#elements.length;
+  }
+
+  #checkMarks(): void {
+    let steps = 0;
+    for (const [{ length }] of (this.#root.textContent ?? "").matchAll(manyMarks)) {
+      steps += length ** 2;
+    }
+    if (steps > mostMarkSteps) this.#reject("too many marks are upon its letters");
   }
 
   #checkDeclarations(text: string, values: StyleValues): void {
@@ -283,7 +345,7 @@ class Count {
     }
   }
 
-  #checkSelectors(rules: readonly CSSStyleRule[]): void {
+  #checkSelectors(rules: readonly StyleRule[]): void {
     const count = this.#elements.length;
     let siblings = 0;
     let ancestors = 0;
@@ -295,14 +357,27 @@ class Count {
       const { childElementCount } = element;
       siblings += childElementCount * Math.min(childElementCount, mostSiblings);
     }
+    const each = new Map<StyleRule | null, number>([[null, 1]]);
     let steps = 0;
-    for (const { selectorText } of rules) {
-      for (const selector of selectorText.split(",")) {
+    for (const rule of rules) {
+      const { ownSelector, outer, selectorText } = rule;
+      if (outer && selectorText.length > longestValue)
+        this.#reject("its rules are nested too deeply");
+      let sum = 0;
+      for (const selector of ownSelector.split(",")) {
         const following = selector.split("~").length - 1;
         const looking = selector.split(":has(").length - 1;
-        const within = /[^\s>+~,] +[^\s>+~,]/.test(selector) ? ancestors / count : 1;
-        steps += count + following * siblings * within + looking * (ancestors + siblings);
+        const within =
+          /[^\s>+~,] +[^\s>+~,]/.test(selector) || (outer && !selector.includes("&"))
+            ? ancestors / count
+            : 1;
+        const own = count + following * siblings * within + looking * (ancestors + siblings);
+        // Each time that it names the rule around it, an element and those around that are compared with that one.
+        const named = outer ? Math.max(selector.split("&").length - 1, 1) * within : 1;
+        sum += own * named * (each.get(outer) ?? 1);
       }
+      each.set(rule, sum / count);
+      steps += sum;
       if (steps > mostSteps) this.#reject("its style has too many rules for its elements");
     }
   }
@@ -414,17 +489,67 @@ function cornersOf(element: Element): number {
 }
 
 /** Returns all rules of a style sheet, those within others too. */
-function rulesOf(css: string): CSSStyleRule[] {
-  const sheet = new CSSStyleSheet();
-  sheet.replaceSync(withCarriedShorthands(css));
-  const rules: CSSStyleRule[] = [];
-  const read = (list: CSSRuleList): void => {
+function rulesOf(css: string): StyleRule[] {
+  const rules: StyleRule[] = [];
+  const read = (list: CSSRuleList, outer: StyleRule | null): void => {
     for (const rule of list) {
-      if (rule instanceof CSSStyleRule) rules.push(rule);
-      const within = (rule as CSSGroupingRule).cssRules;
-      if (within) read(within);
+      let within = outer;
+      if (rule instanceof CSSStyleRule) {
+        const { selectorText: ownSelector, style } = rule;
+        const selectorText = outer ? nestedIn(outer.selectorText, ownSelector) : ownSelector;
+        within = { selectorText, ownSelector, outer, style };
+        rules.push(within);
+        // It is too long, and what is nested in it is longer still.
+        if (outer && selectorText.length > longestValue) continue;
+      }
+      const nested = (rule as CSSGroupingRule).cssRules;
+      if (nested) read(nested, within);
     }
   };
-  read(sheet.cssRules);
+  read(sheetOf(css).cssRules, null);
   return rules;
+}
+
+/** Returns the selectors of a rule that is nested in another, as ones that stand for themselves. */
+function nestedIn(outer: string, selector: string): string {
+  const around = `:is(${outer.replace(pseudoElement, "")})`;
+  return selectorsIn(selector)
+    .map((one) => (one.includes("&") ? one.replaceAll("&", around) : `${around} ${one}`))
+    .join(", ");
+}
+
+/** Returns the selectors of a list. */
+function selectorsIn(list: string): readonly string[] {
+  const selectors: string[] = [];
+  let depth = 0;
+  for (const [part] of list.matchAll(/[^,()]+|[,()]/g)) {
+    if (part === "(") depth++;
+    if (part === ")") depth--;
+    if (part === "," && depth === 0) selectors.push("");
+    else selectors.push(`${selectors.pop() ?? ""}${part}`);
+  }
+  return selectors.map((one) => one.trim());
+}
+
+/** Returns how many characters the longest mark has that a sheet's own styles of counters write. */
+function longestMark(css: string): number {
+  const styles = [...sheetOf(css).cssRules].filter((rule) => rule instanceof CSSCounterStyleRule);
+  const marks = styles.map(({ additiveSymbols, negative, pad, prefix, suffix, symbols }) =>
+    stringsIn([additiveSymbols, negative, pad, prefix, suffix, symbols].join(" ")),
+  );
+  return Math.max(...marks, 0);
+}
+
+/** Returns how many characters the strings in a value have. */
+function stringsIn(value: string): number {
+  let sum = 0;
+  for (const [text] of value.matchAll(cssString)) sum += text.length - 2;
+  return sum;
+}
+
+/** Returns a style sheet as the browser reads it. */
+function sheetOf(css: string): CSSStyleSheet {
+  const sheet = new CSSStyleSheet();
+  sheet.replaceSync(withCarriedShorthands(css));
+  return sheet;
 }

@@ -62,16 +62,20 @@ function isOfDos(bytes: Uint8Array): boolean {
 
 /** Returns the words of a text in which letters are that are not of ASCII: what else is in it is of another language. */
 function otherWords(bytes: Uint8Array): Uint8Array {
-  const kept: number[] = [];
+  const kept = new Uint8Array(bytes.length);
+  let length = 0;
   let [from, isOther] = [0, false];
   for (let k = 0; k < bytes.length; k++) {
     if ((bytes[k] as number) >= 0x80) isOther = true;
     const isEnd = (bytes[k] as number) <= 0x20 || k === bytes.length - 1;
     if (!isEnd) continue;
-    if (isOther) kept.push(...bytes.subarray(from, k + 1));
+    if (isOther) {
+      kept.set(bytes.subarray(from, k + 1), length);
+      length += k + 1 - from;
+    }
     [from, isOther] = [k + 1, false];
   }
-  return Uint8Array.from(kept);
+  return kept.subarray(0, length);
 }
 
 /** Returns whether letters that are not of ASCII stand beside each other rather than alone, as those of Western Europe do. */

@@ -22,7 +22,10 @@ export class StyleValues {
   readonly #longestAttribute: number;
 
   /** @param elements those whose attributes may be put in */
-  constructor(rules: readonly CSSStyleRule[], elements: readonly Element[]) {
+  constructor(
+    rules: readonly { readonly style: CSSStyleDeclaration }[],
+    elements: readonly Element[],
+  ) {
     for (const { style } of rules) {
       for (const name of style) {
         if (!name.startsWith("--")) continue;

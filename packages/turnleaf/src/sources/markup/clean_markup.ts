@@ -30,6 +30,7 @@ import { resolveExtensions, resolveSwitches } from "./content_switches.ts";
 import { prepareFormulas } from "./formulas.ts";
 import { framePicture, frameSize } from "./frame_picture.ts";
 import { styleStandIn } from "./parse_markup.ts";
+import { takeContent } from "./take_content.ts";
 import { isXmlAttribute } from "./xml.ts";
 
 /** The files that a chapter names. */
@@ -165,7 +166,7 @@ function inHtml(document: Document): Element {
       const plainName = localName === element.localName ? name : name.toLowerCase();
       if (!name.startsWith("xmlns")) plain.setAttributeNS(namespaceURI, plainName, value);
     }
-    plain.append(...element.childNodes);
+    plain.append(takeContent(element));
     element.replaceWith(plain);
     if (element === root) root = plain as HTMLElement;
   }
@@ -173,9 +174,11 @@ function inHtml(document: Document): Element {
   if (root.localName === "html") {
     const head = root.querySelector(":scope > head");
     const body = root.querySelector(":scope > body") ?? document.createElementNS(xhtml, "body");
-    const others = [...root.childNodes].filter((node) => node !== head);
-    const contents = others.flatMap((node) => (isBody(node) ? [...node.childNodes] : [node]));
-    body.append(...contents.filter((node) => node !== body));
+    const contents = document.createDocumentFragment();
+    for (const node of [...root.childNodes]) {
+      if (node !== head) contents.append(isBody(node) ? takeContent(node as Element) : node);
+    }
+    body.append(contents);
     root.replaceChildren(...(head ? [head] : []), body);
   } else {
     const html = document.createElementNS(xhtml, "html");
@@ -199,12 +202,12 @@ function keepText(root: Element): void {
   while (data.nextNode()) sections.push(data.currentNode as CharacterData);
   for (const section of sections) section.replaceWith(section.data);
   // No script runs.
-  for (const other of root.querySelectorAll("noscript")) other.replaceWith(...other.childNodes);
+  for (const other of root.querySelectorAll("noscript")) other.replaceWith(takeContent(other));
   // The text of a marquee would run.
   for (const old of root.querySelectorAll("xmp, plaintext, listing, marquee")) {
     const name = old.localName === "marquee" ? "div" : "pre";
     const kept = ownerDocument.createElementNS(xhtml, name);
-    kept.append(...old.childNodes);
+    kept.append(takeContent(old));
     old.replaceWith(kept);
   }
 }
@@ -307,7 +310,7 @@ function placeScripted(root: Element, files: MarkupFiles): void {
   const lostIn = (element: Element): Element => placeOfLost(element, "embedded", source, {});
   for (const canvas of root.querySelectorAll("canvas")) {
     if (isBlank(canvas)) canvas.before(lostIn(canvas));
-    canvas.replaceWith(...canvas.childNodes);
+    canvas.replaceWith(takeContent(canvas));
   }
   const body = root.querySelector("body") ?? root;
   if (scripts.length > 0 && isBlank(body)) body.prepend(lostIn(body));
@@ -356,7 +359,7 @@ async function pictureOf(object: Element, files: MarkupFiles): Promise<void> {
   const hasOther =
     object.querySelector("img, object, svg, audio, video, math") ?? object.textContent?.trim();
   if (address !== "" && !hasOther) object.before(placeOfLost(object, "embedded", address, files));
-  object.replaceWith(...object.childNodes);
+  object.replaceWith(takeContent(object));
 }
 
 /** Puts a picture of a frame in its place. */

@@ -1,5 +1,7 @@
 /** Content switches, of EPUB 3.0 and of SVG: one content in several languages of markup, of which a reader shows one. */
 
+import { takeContent } from "./take_content.ts";
+
 const html = "http://www.w3.org/1999/xhtml";
 const ops = "http://www.idpf.org/2007/ops";
 const math = "http://www.w3.org/1998/Math/MathML";
@@ -30,7 +32,7 @@ export function resolveSwitches(
       children.find((one) => isNamed(one, "default"));
     if (chosen) {
       keepId(element, chosen);
-      element.replaceWith(...chosen.childNodes);
+      element.replaceWith(takeContent(chosen));
     } else {
       lost(element, cases[0] ? languageOf(cases[0]) : "");
       element.remove();

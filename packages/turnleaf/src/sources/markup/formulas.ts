@@ -2,6 +2,7 @@
 
 import { cleanText } from "../book_text.ts";
 import { limits } from "../limits.ts";
+import { takeContent } from "./take_content.ts";
 
 /** The attribute that has a formula's text, for copying and searching. */
 export const formulaAttribute = "data-turnleaf-formula";
@@ -37,7 +38,7 @@ function prepareFormula(math: Element): void {
   for (const whole of math.querySelectorAll("semantics")) {
     const shown = [...whole.children].find(isPresentation);
     const other = whole.querySelector(':scope > annotation-xml[encoding="MathML-Presentation"]');
-    whole.replaceWith(...(shown ? [shown] : (other?.childNodes ?? [])));
+    whole.replaceWith(...(shown ? [shown] : other ? [takeContent(other)] : []));
   }
   for (const one of math.querySelectorAll("annotation, annotation-xml")) one.remove();
   const said = [source?.textContent, math.getAttribute("alttext"), linear(math, 0)];

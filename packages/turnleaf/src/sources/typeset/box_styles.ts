@@ -55,11 +55,21 @@ export function pageBox({ stepX, stepY }: PageFlow, page: number, size: PageSize
   return new DOMRect(page * stepX, page * stepY, size.width, size.height);
 }
 
+/** Returns how wide a box is, along its lines, on the page where it is widest. */
+export function widthOf(rects: readonly DOMRect[], isVertical: boolean): number {
+  return rects.reduce((most, { width, height }) => Math.max(most, isVertical ? height : width), 0);
+}
+
 /** Returns the pages (from 0) on which rectangles lie: the first and the last. */
 export function pagesOf(
   flow: PageFlow,
   rects: readonly DOMRect[],
 ): { readonly first: number; readonly last: number } {
-  const pages = rects.map((rect) => pageOfRect(flow, rect));
-  return { first: Math.min(...pages), last: Math.max(...pages) };
+  let [first, last] = [Number.POSITIVE_INFINITY, Number.NEGATIVE_INFINITY];
+  // There may be more of them than a function takes arguments.
+  for (const rect of rects) {
+    const page = pageOfRect(flow, rect);
+    [first, last] = [Math.min(first, page), Math.max(last, page)];
+  }
+  return { first, last };
 }

@@ -15,6 +15,10 @@ const elementLength = 50;
  */
 const mostLines = 1000;
 
+/** Where text that runs to the left is followed by some that runs to the right: a part of its line each. */
+const turn =
+  /[\u0590-\u08ff\ufb1d-\ufdff\ufe70-\ufefc][^\p{L}]*(?=[\p{sc=Latin}\p{sc=Greek}\p{sc=Cyrillic}])/gu;
+
 /** Elements that are not divided, however much is in them. */
 const whole = /^(svg|math|ruby|tr|select|object|figure|img)$/;
 
@@ -49,7 +53,12 @@ export function divide(root: Element): readonly Element[] {
 
 /** Returns how much a node counts; remembers it for all elements in it. */
 function lengthOf(node: Node, lengths: Map<Node, number>): number {
-  if (node.nodeType === Node.TEXT_NODE) return node.nodeValue?.length ?? 0;
+  if (node instanceof Text) {
+    const turns = node.data.match(turn)?.length ?? 0;
+    const length = node.data.length + turns * elementLength;
+    if (turns > 0) lengths.set(node, length);
+    return length;
+  }
   let length = elementLength;
   const ends: Node[] = [];
   for (let child = node.firstChild; child; child = child.nextSibling) {
@@ -83,7 +92,7 @@ class Divider {
   divide(container: Element): void {
     for (let child = container.firstChild; child; child = child.nextSibling) {
       const length = this.#lengths.get(child) ?? child.nodeValue?.length ?? 0;
-      if (length > longestPiece && child instanceof Text) this.#divideText(child);
+      if (length > longestPiece && child instanceof Text) this.#divideText(child, length);
       else if (length > longestPiece && child instanceof Element && !whole.test(child.localName)) {
         if (beginning.test(child.localName) && this.#isHalf) this.#begin(child);
         const copy = child.cloneNode() as Element;
@@ -110,16 +119,18 @@ class Divider {
   }
 
   /** Divides a text between words, or within one that is too long. */
-  #divideText(text: Text): void {
+  #divideText(text: Text, length: number): void {
     const { data } = text;
+    /** What a character counts. */
+    const each = length / data.length;
     for (let from = 0; from < data.length; ) {
       if (this.#length >= longestPiece) this.#begin(text);
-      const most = from + longestPiece;
+      const most = from + Math.ceil(longestPiece / each);
       const space = data.lastIndexOf(" ", most);
       let to = most >= data.length ? data.length : space > from ? space + 1 : most;
       // Not between the halves of a character.
       if (/[\udc00-\udfff]/.test(data[to] ?? "")) to += 1;
-      this.#append(document.createTextNode(data.slice(from, to)), to - from);
+      this.#append(document.createTextNode(data.slice(from, to)), (to - from) * each);
       from = to;
     }
   }

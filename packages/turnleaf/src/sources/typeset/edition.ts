@@ -6,7 +6,7 @@ import { type FlowBook, isAllText } from "./flow_book.ts";
 import type { FlowWarnings } from "./flow_warnings.ts";
 import { LaidChapter } from "./laid_chapter.ts";
 import { LaidSection } from "./laid_section.ts";
-import { OverpaintedError, type SectionMap } from "./lay_section.ts";
+import { OverspentError, type SectionMap } from "./lay_section.ts";
 import {
   areAlike,
   estimatePages,
@@ -193,9 +193,9 @@ export class Edition {
   #failureOf(section: number, error: unknown): BookError {
     const part = `Part ${section + 1} of ${this.#book.name}`;
     const source = { source: this.#book.name };
-    if (error instanceof OverpaintedError) {
+    if (error instanceof OverspentError) {
       return new BookError(
-        `${part} takes more time or memory than a page may: too much is painted upon each other; make it simpler.`,
+        `${part} takes more time or memory than a page may: ${error.message}; make it simpler.`,
         { code: "tooLarge", ...source },
       );
     }

@@ -5,7 +5,7 @@
  */
 
 import type { PageSize } from "../page_source.ts";
-import { opened, type Styles, setStyles, tableParts, tolerance } from "./box_styles.ts";
+import { opened, type Styles, setStyles, tableParts, tolerance, widthOf } from "./box_styles.ts";
 import { splitTable } from "./split_table.ts";
 import { boxesIn } from "./style_mentions.ts";
 
@@ -109,8 +109,8 @@ function isBesideFloat(
   isVertical: boolean,
 ): boolean {
   if (rects.length < 2 || element.localName !== "table") return false;
-  const least = Math.min(...rects.map((rect) => lengthsOf(rect, isVertical).across));
-  return widthOf(rects, isVertical) > least + tolerance;
+  const width = widthOf(rects, isVertical);
+  return rects.some((rect) => width > lengthsOf(rect, isVertical).across + tolerance);
 }
 
 /**
@@ -147,11 +147,6 @@ function lengthsOf(
   isVertical: boolean,
 ): { across: number; down: number } {
   return isVertical ? { across: height, down: width } : { across: width, down: height };
-}
-
-/** Returns how wide a box is on the page where it is widest. */
-function widthOf(rects: readonly DOMRect[], isVertical: boolean): number {
-  return Math.max(...rects.map((rect) => lengthsOf(rect, isVertical).across), 0);
 }
 
 /** Returns whether a line in a box that is on one page is longer than the box. */

@@ -1,6 +1,6 @@
 /** Formulas that are wider than a line, which no browser breaks: they are smaller, and else broken between their parts. */
 
-import { type Styles, setStyles, tolerance } from "./box_styles.ts";
+import { type Styles, setStyles, tolerance, widthOf } from "./box_styles.ts";
 
 /** The smallest size of a formula, over its own; wider still, it is broken. */
 const smallest = 0.6;
@@ -16,10 +16,7 @@ export function fitFormulas(body: Element, isVertical: boolean): void {
   for (const math of body.querySelectorAll<HTMLElement>("math")) {
     const [own, room] = [math, boxAround(math)].map((element) => {
       // One rectangle for each page that it is on.
-      const lengths = [...element.getClientRects()].map((one) =>
-        isVertical ? one.height : one.width,
-      );
-      return Math.max(...lengths, 0);
+      return widthOf([...element.getClientRects()], isVertical);
     }) as [number, number];
     const width = widthIn(math, own, isVertical);
     if (room === 0 || width <= room + tolerance) continue;

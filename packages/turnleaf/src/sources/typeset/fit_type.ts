@@ -117,6 +117,9 @@ function typeChange(
   const change: Record<string, string> = {};
   if (px(style.fontSize) > largest) change["font-size"] = `${largest / zoom}px`;
   if (px(style.lineHeight) > page) change["line-height"] = "normal";
+  // A line about letters that is as wide as they are covers them, and takes long to draw.
+  const isCovered = px(style.webkitTextStrokeWidth) > px(style.fontSize);
+  if (isCovered) change["-webkit-text-stroke-width"] = "0";
   if (Math.abs(px(style.verticalAlign)) > page / 2) change["vertical-align"] = "baseline";
   return change;
 }

@@ -3,6 +3,7 @@
  * or goes on on the next page: those that show words become boxes that look like them and have the words as text.
  */
 
+import { takeContent } from "../markup/take_content.ts";
 import { type Styles, setStyles } from "./box_styles.ts";
 
 /** Types of `<input>` that show words. */
@@ -42,7 +43,7 @@ export function drawControls(body: Element): void {
   }
   for (const [control, box] of boxes) {
     // The browser does not tell what a button's own content is before it is taken out.
-    if (control.localName === "button") box.replaceChildren(...control.childNodes);
+    if (control.localName === "button") box.replaceChildren(takeContent(control));
     control.replaceWith(box);
   }
 }

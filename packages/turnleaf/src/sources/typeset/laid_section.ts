@@ -76,7 +76,7 @@ export class LaidSection {
   }
 
   /**
-   * Lays a section out. Rejects with any error of the browser, with an `OverpaintedError`, and with the
+   * Lays a section out. Rejects with any error of the browser, with an `OverspentError`, and with the
    * signal's reason, as soon as that aborts: its frame is gone then.
    *
    * @param isScrolled whether its pages hang together, so that a line may be cut

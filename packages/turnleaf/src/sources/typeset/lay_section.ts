@@ -80,8 +80,8 @@ export interface NoteLink {
   readonly page: number;
 }
 
-/** What rejects a section of which too much lies upon each other on a page to be painted. */
-export class OverpaintedError extends Error {}
+/** What rejects a section that takes more than a page may, as is seen once it is laid out: it says what does. */
+export class OverspentError extends Error {}
 
 /** A section as it is laid out. */
 export interface LaidParts {
@@ -97,7 +97,7 @@ export interface LaidParts {
 }
 
 /**
- * Lays a section out in a frame. Rejects with any error of the browser, and with an `OverpaintedError`.
+ * Lays a section out in a frame. Rejects with any error of the browser, and with an `OverspentError`.
  *
  * @param isScrolled whether its pages hang together, so that a line may be cut where one ends
  */
@@ -112,6 +112,7 @@ export async function laySection(
   let size = content.size ?? { width: page.width, height: page.height };
   const html = frame.document.importNode(content.root, true) as HTMLElement;
   applyInlineStyles(html);
+  shortenTexts(html);
   const sheet = frame.document.createElement("div");
   sheet.style.cssText = ownStyle(
     `display: block; position: absolute; left: 0; top: 0; width: ${size.width}px; height: ${size.height}px; font-size: ${rootSize}px`,
@@ -144,10 +145,15 @@ export async function laySection(
   // Columns of lines that stand upright follow each other down the frame, wherever the lines begin.
   const columns = columnStyle(page, isVertical, isVertical ? "ltr" : direction);
   const inColumns = content.size || isSliced ? [] : [reader, columns];
+  const area = { width: page.width - 2 * page.sides, height: page.height - 2 * page.ends };
   // What the book calls the root's size is that of its own <html>.
   const rem = view.getComputedStyle(html).fontSize;
   html.style.setProperty("font-size", rem, "important");
   frame.drawing.style.setProperty("font-size", rem, "important");
+  // Columns are made as far as boxes reach, which a number of nine digits takes to gigabytes.
+  if (inColumns.length > 0 && columnsReached(html, area, isVertical) > limits.elements) {
+    throw new OverspentError("its boxes are too high");
+  }
   frame.adopt([...own, ...inColumns]);
   if (!content.size) {
     alignText(body, typography.align);
@@ -157,7 +163,6 @@ export async function laySection(
   applyLetterForms(body, mentions);
   await loadedIn(frame, html);
   let initials: ReadonlyMap<Node, InitialLetter> = new Map();
-  const area = { width: page.width - 2 * page.sides, height: page.height - 2 * page.ends };
   if (inColumns.length > 0 && (await bleed(html, area, page))) {
     page = { ...page, sides: 0, ends: 0 };
     own.push(reader, columnStyle(page, isVertical, isVertical ? "ltr" : direction));
@@ -208,7 +213,9 @@ export async function laySection(
       ...(isSliced && { height: (size.height * leaf.width) / page.width }),
     },
   };
-  if (paintingOf(html, mentions.sheets, size, flow) > mostNanoseconds) throw new OverpaintedError();
+  if (paintingOf(html, mentions.sheets, size, flow) > mostNanoseconds) {
+    throw new OverspentError("too much is painted upon each other");
+  }
   const text = new TextMap(body, flow, pageCount, { mentions, initials });
   const styles = withUsedFonts([spokenStyle, ...own], frame);
   const margins: MarginStyle | null =
@@ -229,6 +236,43 @@ export async function laySection(
     html,
     layoutSize: size,
   };
+}
+
+/** Characters of a text: of one on many lines a browser takes long to tell where a letter of it is. */
+const longestText = 4000;
+
+/** Divides long texts into several, between words where there are any, which are laid out as one. */
+function shortenTexts(root: Element): void {
+  const texts = root.ownerDocument.createTreeWalker(root, NodeFilter.SHOW_TEXT);
+  while (texts.nextNode()) {
+    const { data } = texts.currentNode as Text;
+    if (data.length <= longestText) continue;
+    const blank = data.lastIndexOf(" ", longestText);
+    const end = blank > longestText / 2 ? blank + 1 : longestText;
+    // Not between a letter and its marks, nor between the halves of one.
+    const letter = /[^\p{M}\udc00-\udfff]/gu;
+    letter.lastIndex = end;
+    (texts.currentNode as Text).splitText(letter.exec(data)?.index ?? data.length);
+  }
+}
+
+/**
+ * Returns into how many parts the boxes of a section, laid out in one piece, would be divided by columns, one of
+ * each at least. Where they are sure to be few they are not counted, and 0 is returned.
+ */
+function columnsReached(html: HTMLElement, area: PageSize, isVertical: boolean): number {
+  const sheet = html.parentElement as HTMLElement;
+  const page = isVertical ? area.width : area.height;
+  const all = html.querySelectorAll("*");
+  const reach = (isVertical ? sheet.scrollWidth : sheet.scrollHeight) / page;
+  if (reach <= limits.pages && reach * all.length <= limits.elements) return 0;
+  if (reach > limits.pages) return Number.POSITIVE_INFINITY;
+  let parts = 0;
+  for (const element of all) {
+    const { width, height } = element.getBoundingClientRect();
+    parts += Math.max((isVertical ? width : height) / page, 1);
+  }
+  return parts;
 }
 
 /** Returns style sheets without the fonts that nothing in a frame is set in. */

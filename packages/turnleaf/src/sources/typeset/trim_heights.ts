@@ -36,12 +36,12 @@ export function trimHeights(body: Element, flow: PageFlow, area: PageSize): void
     let content = contentOf(element);
     if (trimRoom(element, content, body, flow)) content = contentOf(element);
     const { first, last } = pagesOf(flow, [...element.getClientRects()]);
-    const ends = content.map((rect) => pageOfRect(flow, rect));
-    if (Math.max(first, ...ends) >= last) continue;
+    const ends = pagesOf(flow, content);
+    if (Math.max(first, ends.last) >= last) continue;
     for (let box = element.parentElement; box && !around.has(box); box = box.parentElement) {
       around.add(box);
     }
-    const isOnOne = content.length > 0 && ends.every((end) => end === ends[0]);
+    const isOnOne = content.length > 0 && ends.first === ends.last;
     setStyles(element, {
       "block-size": "auto",
       "min-block-size": isOnOne ? `${page - tolerance}px` : "0",
@@ -67,10 +67,6 @@ function trimRoom(
 ): boolean {
   if (content.length === 0) return false;
   const view = element.ownerDocument.defaultView as Window;
-  const pages = (rects: readonly DOMRect[]): { from: number; to: number } => {
-    const all = rects.map((rect) => pageOfRect(flow, rect));
-    return { from: Math.min(...all), to: Math.max(...all) };
-  };
   const take = (end: "start" | "end", part: "before" | "after"): void => {
     fitGenerated(element, `${part}-room`);
     setStyles(element, {
@@ -81,7 +77,7 @@ function trimRoom(
     });
   };
   const { first } = pagesOf(flow, [...element.getClientRects()]);
-  const { from } = pages(content);
+  const { first: from } = pagesOf(flow, content);
   const isFar = from > first + 1;
   const isLate =
     from > first &&
@@ -89,7 +85,7 @@ function trimRoom(
     (isFar || isFirstOn(element, body, flow, first));
   if (isLate) take("start", "before");
   const { last } = pagesOf(flow, [...element.getClientRects()]);
-  const { to } = pages(isLate ? contentOf(element) : content);
+  const { last: to } = pagesOf(flow, isLate ? contentOf(element) : content);
   const isEarly = last > to && hasRoom(element, view, "end");
   if (isEarly) take("end", "after");
   return isLate || isEarly;
