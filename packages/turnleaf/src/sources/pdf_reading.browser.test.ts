@@ -269,6 +269,28 @@ describe("a PDF's links and contents", () => {
     expect(await (await open({ pages: [""] })).outline!(never)).toEqual([]);
   });
 
+  it("lead to their page, whichever part of it they name", async () => {
+    const parts = [
+      "",
+      "/XYZ",
+      "/XYZ 0",
+      "/Fit 0",
+      "/FitH 1 2 3",
+      "/FitR 0 0",
+      "/Other",
+      "(Fit)",
+      "null 1",
+    ];
+    const named = "/A << /S /GoTo /D (named) >>";
+    const links = [...parts.map((part) => `/Dest [2 ${part}]`), named].map((to) => link(to));
+    const catalog = "/Dests << /named [2] >> /OpenAction [1]";
+    const source = await open(annotated(links, { catalog }));
+    const found = await source.links!(0, never);
+    expect(found.map(({ to }) => to)).toEqual(links.map(() => ({ page: 3 })));
+    expect(source.warnings).toEqual([]);
+    expect(source.openingPage).toBe(2);
+  });
+
   it("end at the bounds of number and depth", async () => {
     const deep = 40;
     const objects = ["<< /Type /Outlines /First 11 0 R /Last 11 0 R >>"];
