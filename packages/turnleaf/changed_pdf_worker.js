@@ -4,6 +4,7 @@
  * - It believes the /Count of the tree of pages, so a book of more pages loses some, one of 0 all of them; and
  *   it ends at the first branch that is damaged, so the pages behind that are lost too, without a word.
  * - It drops a link or a line of the contents that names its page and not, or not rightly, which part of it.
+ * - It says of no text that it lies on a layer that is off, or which words a file names for what is drawn.
  */
 
 /** The worker that reads documents, whose code is changed. */
@@ -25,7 +26,7 @@ const changes = [
   // A count of the whole tree that is wrong is found by a page behind it; then pdf.js walks all of the tree.
   [
     "if(a<=1)return;await this.getPage(a-1)}",
-    'if(a<1)throw new FormatError("Page count is not positive.");await this.getPage(a-1);if(!await hasTrueCounts(t.toplevelPagesDict,t.xref,Dict)||await t.getPageDict(a).then(()=>!0,()=>!1))throw new FormatError("There are other pages than their count.")}',
+    'if(a<1)throw new FormatError("Page count is not positive.");await this.getPage(a-1);if(!await hasTrueCounts(t.toplevelPagesDict,t.xref)||await t.getPageDict(a).then(()=>!0,()=>!1))throw new FormatError("There are other pages than their count.")}',
   ],
   [
     "if(Number.isInteger(c)&&c>=0){f&&",
@@ -62,6 +63,20 @@ const changes = [
     "posInKids:0});e.posInKids++}return s}",
     "posInKids:0});e.posInKids++}if([...s.values()].every(([e])=>e instanceof Error))s.clear();return s}",
   ],
+  // What is marked in a page's text says on which layer it lies, and for which words it stands.
+  [
+    'w.items.push({type:"beginMarkedContentProps",',
+    'w.items.push({...markOf(isName(y[0],"OC"),y[1],n,v),type:"beginMarkedContentProps",',
+  ],
+  // A form on a layer is marked as text on it is.
+  [
+    "enqueueChunk();const C=textSinkWrapper(s);",
+    'enqueueChunk();const isMarked=r&&m.has("OC"),mark=e=>isMarked&&s.enqueue({items:[e],styles:{}},1);mark({...markOf(!0,m.get("OC"),n,v),type:"beginMarkedContentProps"});const C=textSinkWrapper(s);',
+  ],
+  [
+    ".then(function(){C.enqueueInvoked||",
+    '.then(function(){mark({type:"endMarkedContent"});C.enqueueInvoked||',
+  ],
   // A destination is a page; what of it is to be seen is not asked for.
   [
     "if(!Array.isArray(n)||n.length<2)return!1;const[a,r,...s]=n;",
@@ -83,9 +98,8 @@ const changes = [
  *
  * @param root the root's dictionary
  * @param xref what finds objects of the file
- * @param Dict pdf.js's class of dictionaries
  */
-async function hasTrueCounts(root, xref, Dict) {
+async function hasTrueCounts(root, xref) {
   const branches = new Set([root]);
   // Those that are added are visited too.
   for (const branch of branches) {
@@ -105,6 +119,25 @@ async function hasTrueCounts(root, xref, Dict) {
   return true;
 }
 
+/**
+ * Returns what a mark in a page's content says of it: the layer on which it lies, as pdf.js describes one to
+ * itself, or the words for which it stands. Runs in the worker.
+ *
+ * @param properties the mark's, or the name that they have in `resources`
+ */
+function markOf(isLayer, properties, resources, xref) {
+  try {
+    if (isLayer) return { layer: parseMarkedContentProps(xref, properties, resources) };
+    const isNamed = properties instanceof Name;
+    const words = isNamed ? resources.get("Properties").get(properties.name) : properties;
+    const actualText = words.get("ActualText");
+    return typeof actualText === "string" ? { actualText: stringToPDFString(actualText) } : {};
+  } catch (error) {
+    if (error instanceof MissingDataException) throw error;
+    return {};
+  }
+}
+
 /** The Apache licence asks files that were changed to say so. */
 const notice = "/*! Changed for Turnleaf: it reads more of damaged files. */\n";
 
@@ -117,7 +150,7 @@ export function withChanges(code) {
       throw new Error(`pdf.js has ${parts.length - 1} times: ${from}`);
     },
     `${notice}${code}
-${hasTrueCounts}`,
+${hasTrueCounts}\n${markOf}`,
   );
 }
 
