@@ -118,7 +118,7 @@ export class PdfSource implements PageSource {
     };
     try {
       // By the name of all of the page: whatever else is read of it would stall the worker once more.
-      const small = await this.#reader.run("page 0", draw, signal);
+      const small = await this.#reader.run("page 0", draw, signal, "page 0", true);
       const { width, height } = small;
       const pen = new OffscreenCanvas(width, height).getContext("2d");
       pen?.drawImage(small, 0, 0);
