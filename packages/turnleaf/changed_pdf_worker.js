@@ -5,6 +5,8 @@
  *   it ends at the first branch that is damaged, so the pages behind that are lost too, without a word.
  * - It drops a link or a line of the contents that names its page and not, or not rightly, which part of it.
  * - It says of no text that it lies on a layer that is off, or which words a file names for what is drawn.
+ * - It draws text upon a page that has no appearance as one line, however small, and none that has styles; and
+ *   frames without an appearance only where their width is given.
  */
 
 /** The worker that reads documents, whose code is changed. */
@@ -77,6 +79,20 @@ const changes = [
     ".then(function(){C.enqueueInvoked||",
     '.then(function(){mark({type:"endMarkedContent"});C.enqueueInvoked||',
   ],
+  // Text upon a page is broken at the box's width, and is there if it has styles alone.
+  [
+    "o=[];let l=-1/0;for(const t of e.split(/\\r\\n?|\\n/)){",
+    "o=[];let lines;[lines,a]=fitText(e,i,a,t[2]-t[0],t[3]-t[1],n%180!=0);let l=-1/0;for(const t of lines){",
+  ],
+  [
+    "class FreeTextAnnotation extends MarkupAnnotation{constructor(e){super(e);",
+    "class FreeTextAnnotation extends MarkupAnnotation{constructor(e){super(e);this._contents.str||=this.data.richText?.str??'';",
+  ],
+  // A frame whose width is not given is as wide as any line.
+  [
+    "else{this.borderStyle.setWidth(0);",
+    'else{/^(Square|Circle)$/.test(e.get("Subtype")?.name)||this.borderStyle.setWidth(0);',
+  ],
   // A destination is a page; what of it is to be seen is not asked for.
   [
     "if(!Array.isArray(n)||n.length<2)return!1;const[a,r,...s]=n;",
@@ -138,6 +154,32 @@ function markOf(isLayer, properties, resources, xref) {
   }
 }
 
+/**
+ * Returns the lines of a text, broken between words, and the size of its letters with which it fits into a
+ * box: the given one, or a smaller one. Runs in the worker.
+ *
+ * @param context in which text is measured, in letters 1,000 high
+ */
+function fitText(text, context, size, width, height, isUpright) {
+  const [across, down] = isUpright ? [height, width] : [width, height];
+  const paragraphs = text.split(/\r\n?|\n/);
+  for (let smaller = size; ; smaller *= 0.9) {
+    const lines = [];
+    for (const paragraph of paragraphs) {
+      const [first, ...words] = paragraph.split(" ");
+      lines.push(first);
+      for (const word of words) {
+        const longer = `${lines.at(-1)} ${word}`;
+        const isWithin = (context.measureText(longer).width * smaller) / 1000 <= across;
+        if (isWithin) lines[lines.length - 1] = longer;
+        else lines.push(word);
+      }
+    }
+    // Lines of pdf.js are 1.35 times as high as letters. Smaller letters than a third are not read.
+    if (lines.length * 1.35 * smaller <= down || smaller < size / 3) return [lines, smaller];
+  }
+}
+
 /** The Apache licence asks files that were changed to say so. */
 const notice = "/*! Changed for Turnleaf: it reads more of damaged files. */\n";
 
@@ -150,7 +192,7 @@ export function withChanges(code) {
       throw new Error(`pdf.js has ${parts.length - 1} times: ${from}`);
     },
     `${notice}${code}
-${hasTrueCounts}\n${markOf}`,
+${hasTrueCounts}\n${markOf}\n${fitText}`,
   );
 }
 
