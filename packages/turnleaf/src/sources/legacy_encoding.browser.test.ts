@@ -16,7 +16,7 @@ const texts = {
   German:
     "Es war einmal ein König, der hatte eine Tochter; die war so schön, dass die Sonne sich verwunderte. Über die Brücke führte der Weg, und niemand hörte “Grüße”.",
   Spanish:
-    "En un lugar de la Mancha, de cuyo nombre no quiero acordarme, no ha mucho tiempo que vivía un hidalgo de los de lanza en astillero, adarga antigua, rocín flaco y galgo corredor. Tenía en su casa una ama que pasaba de los cuarenta años.",
+    "En un lugar de la Mancha, de cuyo nombre no quiero acordarme, no ha mucho tiempo que vivía un hidalgo de los de lanza en astillero, adarga antigua, rocín flaco y galgo corredor. Tenía en su casa una ama que pasaba de los cuarenta años, y una sobrina que no llegaba a más, y también después.",
 };
 
 test.each(["windows-1253", "iso-8859-7"])("Greek in %s", (encoding) => {
