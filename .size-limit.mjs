@@ -51,8 +51,8 @@ const apart = [
   part("another model of turning, live", 198, "leaf_models lying_sheet loose_leaf"),
   part("recorded turns", 20, "replay sheet_turn shell_turn"),
   // The table of formats has their names, endings and media types too, as the command reads it.
-  part("opens a book of any format", 13.3, "open"),
-  part("photographs of a turn", 9, "photographs images image_header"),
+  part("opens a book of any format", 13.6, "open"),
+  part("photographs of a turn", 9.3, "photographs images image_header"),
   part("folded pages, leaves torn out", 243, "creasable_book folds line_folds tearing torn_pages"),
   part("pages that are elements, live in the air", 1, "live_drawings"),
   part("printed by day, of a book that is shown by night", 1, "day_print"),

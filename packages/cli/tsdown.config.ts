@@ -1,5 +1,5 @@
 import { defineConfig } from "tsdown";
-import { wholePageTree } from "../turnleaf/whole_page_tree.js";
+import { changedPdfWorker } from "../turnleaf/changed_pdf_worker.js";
 
 /** The command, with all its dependencies inside: installing it installs nothing else. */
 export default defineConfig({
@@ -12,6 +12,6 @@ export default defineConfig({
   fixedExtension: false,
   // Of all that the viewer has within it; the command has no more.
   copy: [{ from: "../turnleaf/dist/licenses.txt", to: "dist" }],
-  plugins: [wholePageTree()],
+  plugins: [changedPdfWorker()],
   deps: { onlyBundle: ["image-size", "pdfjs-dist", "turnleaf"] },
 });

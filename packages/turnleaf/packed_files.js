@@ -2,7 +2,7 @@ import { readdir, readFile, stat } from "node:fs/promises";
 import { createRequire } from "node:module";
 import { dirname, join } from "node:path";
 import { gzipSync } from "node:zlib";
-import { readingWorker, withWholePageTree } from "./whole_page_tree.js";
+import { readingWorker, withChanges } from "./changed_pdf_worker.js";
 
 const prefix = "packed:";
 const suffix = ".packed";
@@ -51,7 +51,7 @@ function locate(path) {
 /** Returns a file as the package has it; pdf.js's worker as it finds all pages. */
 async function readWhole(path) {
   const bytes = await readFile(path);
-  return path.endsWith(readingWorker) ? withWholePageTree(bytes.toString()) : bytes;
+  return path.endsWith(readingWorker) ? withChanges(bytes.toString()) : bytes;
 }
 
 async function packFolder(folder) {

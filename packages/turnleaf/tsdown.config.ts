@@ -1,12 +1,12 @@
 import { defineConfig } from "tsdown";
 import { bundledLicenses } from "./bundled_licenses.js";
+import { changedPdfWorker } from "./changed_pdf_worker.js";
 import { packedFiles } from "./packed_files.js";
 import { slimMaps } from "./slim_maps.js";
 import { slimShaders } from "./slim_shaders.js";
 import { copyMark, threeInside } from "./three_inside.js";
 import { turnInline } from "./turn_inline.js";
 import { wasmInline } from "./wasm_inline.js";
-import { wholePageTree } from "./whole_page_tree.js";
 import { workerInline } from "./worker_inline.js";
 
 const common = {
@@ -196,7 +196,7 @@ const pdfWorker = defineConfig({
   clean: false,
   dts: false,
   sourcemap: false,
-  plugins: [wholePageTree()],
+  plugins: [changedPdfWorker()],
   deps: { onlyBundle: ["pdfjs-dist"] },
   outputOptions: { codeSplitting: false },
 });

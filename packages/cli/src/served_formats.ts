@@ -36,7 +36,8 @@ export function servedFormat(start: Uint8Array, name: string): FileFormat | Reje
   const type = named?.family === "text" ? named.type : "";
   // By its name alone no file is a ZIP here: whether one lies behind other bytes only its end would say.
   const format = formatOfFile({ start, type });
-  if (format === null || format.reason !== undefined) return rejectionOf({ start, type }, readable);
+  if (format === null || format.reason !== undefined)
+    return rejectionOf({ start, type, name }, readable);
   const reason = unserved[format.type];
   return reason === undefined ? format : { reason, remedy: `${readable} can be read` };
 }

@@ -123,6 +123,10 @@ const bitmapHeader = at(
 const webPage = /^<(!doctype html|html)\b/i;
 const webPageOrXml = /^(<(!doctype html|html|!--|head|body)|<\?xml[^<]*<(!doctype )?html)/i;
 
+/** What files begin with that name others: shortcuts to the web, lists of torrents, lists of what to play. */
+export const pointer: RegExp =
+  /^(?:\[(?:InternetShortcut|Desktop Entry)\]|d\d{1,2}:(?:announce|comment|created by|creation date|encoding|info|nodes|url-list)|#EXTM3U|magnet:\?|bplist00|<\?xml[^<]{0,99}<!DOCTYPE plist)/i;
+
 const isFictionBookName = (name: string): boolean => /\.fb2$/i.test(name);
 
 /**
@@ -292,9 +296,10 @@ export const formats: readonly FileFormat[] = [
   {
     kind: "unread",
     type: "application/octet-stream",
-    // What would pass for text: RTF, PostScript and XML of any kind. What each is `unread_formats.ts` says.
+    // What would pass for text: RTF, PostScript, XML of any kind, shortcuts. What each is `unread_formats.ts` says.
     is: (file) =>
       /^\{\\rtf/i.test(file.words) ||
+      (pointer.test(file.words) && !isNamedText(file)) ||
       (/^<(\?xml|!doctype|[\w:-]+ xmlns\b)/i.test(file.words) && !isNamedText(file)) ||
       at(0, "%!PS", "\x04%!PS")(file),
     reason: "is a document of a kind that is not read",

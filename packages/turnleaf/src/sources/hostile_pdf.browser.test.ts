@@ -166,6 +166,10 @@ test.each(Object.keys(broken))("a PDF with %s", async (what) => {
   await expectQuiet();
 });
 
+/** Returns a branch of a tree of pages. */
+const branch = (count: number, kids: string): string =>
+  `<< /Type /Pages /Count ${count} /Kids [${kids}] >>`;
+
 /** Trees of the pages "One" to "Three", and what is on their pages; null for one that says that it is damaged. */
 const trees: readonly (readonly [string, readonly (string | null)[]])[] = [
   ["/Count 0 /Kids [10 0 R 12 0 R 14 0 R]", ["One", "Two", "Three"]],
@@ -179,6 +183,14 @@ const trees: readonly (readonly [string, readonly (string | null)[]])[] = [
   ["/Count 3 /Kids [99 0 R 12 0 R 14 0 R]", [null, "Two", "Three"]],
   ["/Count 9 /Kids [10 0 R 10 0 R 14 0 R]", ["One", "One", "Three"]],
   ["/Count 9 /Kids [10 0 R << /Type /Pages /Kids 3 0 R >> 14 0 R]", ["One", null, "Three"]],
+  // Branches with fewer and with more pages than they say.
+  [`/Count 2 /Kids [${branch(1, "10 0 R 12 0 R")} 14 0 R]`, ["One", "Two", "Three"]],
+  [`/Count 2 /Kids [${branch(1, branch(2, "10 0 R 12 0 R"))} 14 0 R]`, ["One", "Two", "Three"]],
+  [
+    `/Count 3 /Kids [${branch(2, "10 0 R")} ${branch(1, "12 0 R 14 0 R")}]`,
+    ["One", "Two", "Three"],
+  ],
+  [`/Count 3 /Kids [${branch(-2, "10 0 R 12 0 R")} 14 0 R]`, ["One", "Two", "Three"]],
 ];
 
 test.each(trees)("the tree of pages %s has its pages", async (tree, expected) => {

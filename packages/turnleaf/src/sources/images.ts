@@ -7,6 +7,7 @@ import { claimedSize, kindOfFile, typedImage } from "./image_header.ts";
 import { fitPixels, isPageSize, limits, wholePage } from "./limits.ts";
 import { loadPart } from "./load_part.ts";
 import type { ImageBook, ImagePage, StoredImage, StripPage } from "./manifest.ts";
+import { isMoving } from "./moving_image.ts";
 import {
   type BookDetail,
   BookError,
@@ -246,11 +247,16 @@ export class ImageSource implements PageSource {
         source: this.#book.name,
       });
     }
+    const kept = this.#images.get(src);
     const image =
-      this.#images.get(src) ??
+      kept ??
       (src instanceof Blob
         ? await this.#read(index, src)
         : await this.#fetching.run(src, (own) => this.#fetch(index, src, own), signal));
+    if (kept === undefined && (await isMoving(image))) {
+      const message = `${this.#place(index, src)} moves; of its pictures the first is shown.`;
+      this.#warnings.add({ code: "medium", message, page: index + 1 });
+    }
     this.#keep(src, image);
     return image;
   }

@@ -25,12 +25,16 @@ const western = /^(iso-8859-1|windows-1252)$/i;
 export function legacyText(bytes: Uint8Array): string {
   const sample = sampleOf(bytes);
   const isInRuns = standInRuns(sample);
+  if (!isInRuns && isOfMac(sample)) return new TextDecoder("macintosh").decode(bytes);
   if (isInRuns && isOfDos(sample)) return new TextDecoder("ibm866").decode(bytes);
   const words = isInRuns ? otherWords(sample) : sample;
   const found = analyse(words).filter(({ confidence }) => confidence > unsure);
   // Letters that an encoding does not have are of another: Windows' have more than those of ISO 8859.
   const best =
     found.find(({ name }) => !decoderOf(name).decode(words).includes(replacement)) ?? found[0];
+  if (best?.name === "ISO-8859-7" && isGreekOfWindows(sample)) {
+    return new TextDecoder("windows-1253").decode(bytes);
+  }
   const isSure = best !== undefined && best.confidence >= sure && !western.test(best.name);
   const other = !isSure && isInRuns ? eastAsianEncoding([sample]) : null;
   return decoderOf(other ?? best?.name ?? "").decode(bytes);
@@ -58,6 +62,51 @@ function isOfDos(bytes: Uint8Array): boolean {
   const letters = others.filter((byte) => isLow(byte) || (byte >= 0xe0 && byte < 0xf2));
   const low = letters.filter(isLow);
   return letters.length > 0.97 * others.length && low.length > others.length / 2;
+}
+
+/** Returns how many bytes of a text are some of these, and follow others. */
+function countOf(
+  bytes: Uint8Array,
+  isWanted: (byte: number) => boolean,
+  isBefore: (byte: number) => boolean,
+): number {
+  return bytes.filter((byte, k) => isWanted(byte) && isBefore(bytes[k - 1] ?? 0)).length;
+}
+
+const isSmall = (byte: number): boolean => byte >= 0x61 && byte <= 0x7a;
+
+/** Bytes of letters of Macs that other encodings have signs or capitals for, which follow no small letter. */
+const lettersOfMac: ReadonlySet<number> = new Set([
+  ...[0x87, 0x88, 0x8a, 0x8b, 0x8d, 0x8e, 0x8f, 0x90, 0x91, 0x99, 0x9a, 0x9d, 0x9e, 0x9f],
+]);
+
+/** Bytes of small letters of Western Europe by DOS, for which Macs have capitals. */
+const lettersOfDos: ReadonlySet<number> = new Set([0x81, 0x82, 0x84, 0x85, 0x94]);
+
+/**
+ * Returns whether a text is in the letters of Western Europe as Macs had them, which the detector does not
+ * know: after small letters there are few where Windows has its own.
+ */
+function isOfMac(bytes: Uint8Array): boolean {
+  const after = (isWanted: (byte: number) => boolean) => countOf(bytes, isWanted, isSmall);
+  const mac = after((byte) => lettersOfMac.has(byte));
+  const dos = after((byte) => lettersOfDos.has(byte));
+  // Macs have quotation marks among these.
+  const windows = after((byte) => byte >= 0xd6 || (byte >= 0xc0 && byte < 0xd2));
+  return mac > 1 && mac > 4 * (dos + windows);
+}
+
+/**
+ * Returns whether Greek is in Windows' encoding rather than in that of ISO 8859, by its capital alpha with an
+ * accent at the beginnings of words: all other letters are alike.
+ */
+function isGreekOfWindows(bytes: Uint8Array): boolean {
+  const begun = (alpha: number): number =>
+    bytes.filter((byte, k) => {
+      const [before = 0, after = 0] = [bytes[k - 1], bytes[k + 1]];
+      return byte === alpha && before < 0x80 && after >= 0xc1;
+    }).length;
+  return begun(0xa2) > begun(0xb6);
 }
 
 /** Returns the words of a text in which letters are that are not of ASCII: what else is in it is of another language. */

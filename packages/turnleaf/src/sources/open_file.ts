@@ -197,7 +197,11 @@ export async function openFile(file: BookFile, options: FormatOptions): Promise<
   const { most } = format ?? {};
   const open = format && readerOf(format.kind)?.open;
   if (open && most !== undefined) {
-    return await open(file, () => file.whole(most, options.signal), options);
+    try {
+      return await open(file, () => file.whole(most, options.signal), options);
+    } catch (error) {
+      throw await asPart(error, file.name);
+    }
   }
   const { rejectionOf } = await loadPart(import("./unread_formats.ts"));
   const { reason, remedy } = rejectionOf(file);
@@ -205,6 +209,15 @@ export async function openFile(file: BookFile, options: FormatOptions): Promise<
     code: "unsupported",
     source: file.name,
   });
+}
+
+/** Returns an error, or one that says how to join the file if it is damaged as part of one that was cut. */
+async function asPart(error: unknown, name: string): Promise<unknown> {
+  if (!(error instanceof BookError) || error.code !== "damaged") return error;
+  const { joiningOf } = await loadPart(import("./unread_formats.ts"));
+  const joining = joiningOf(name);
+  const detail = { code: "damaged", source: name, cause: error } as const;
+  return joining === null ? error : new BookError(`${name} ${joining}`, detail);
 }
 
 /**

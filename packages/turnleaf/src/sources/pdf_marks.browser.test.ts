@@ -64,6 +64,37 @@ test("notes and stamps without an appearance are drawn where they stand, and the
   ]);
 });
 
+test("text upon a page that has no appearance is broken within its box, and is there if it has styles alone", async () => {
+  const style = "/DA (/Helv 12 Tf 1 0 0 rg)";
+  const long =
+    "A long text of a comment that has to be broken into several lines as the box is not as wide as it";
+  const rich = '<body xmlns="http://www.w3.org/1999/xhtml"><p>Rich <b>only</b></p></body>';
+  const source = await open(
+    annotated([
+      `/Subtype /FreeText /Rect [10 250 190 290] /Contents (${long}) ${style}`,
+      `/Subtype /FreeText /Rect [10 200 90 240] /RC (${rich}) ${style}`,
+    ]),
+  );
+  // In each third of the height of the box is a line.
+  for (const y of [10, 23, 37]) expect(await inkIn(source, 10, y, 100, 12)).toBeGreaterThan(0.05);
+  expect(await inkIn(source, 10, 60, 60, 20)).toBeGreaterThan(0.03);
+});
+
+test("frames of a page that have no appearance are drawn, unless their width is 0", async () => {
+  const frame = (kind: string, x: number, more: string): string =>
+    `/Subtype /${kind} /Rect [${x} 100 ${x + 40} 130] /C [1 0 0] ${more}`;
+  const source = await open(
+    annotated([
+      frame("Square", 10, ""),
+      frame("Circle", 60, ""),
+      frame("Square", 110, "/BS << /W 0 >>"),
+    ]),
+  );
+  expect(await inkIn(source, 10, 170, 40, 30)).toBeGreaterThan(0.05);
+  expect(await inkIn(source, 60, 170, 40, 30)).toBeGreaterThan(0.05);
+  expect(await inkIn(source, 110, 170, 40, 30)).toBe(0);
+});
+
 test("what a page of a PDF would play, and lines of its contents that lead nowhere, are listed", async () => {
   const source = await open(
     annotated(["/Subtype /Movie /Rect [20 20 90 90] /Contents (Whale)"], {

@@ -42,15 +42,17 @@ export class PdfReader {
    *
    * @param name what is read, such as "text 3"
    * @param whole what it is a part of, such as "page 3"
+   * @param isOnly whether nothing else is read meanwhile: if it stalls the worker, it is not tried again
    */
   async run<T>(
     name: string,
     read: (open: OpenPdf) => Promise<T>,
     signal: AbortSignal = new AbortController().signal,
     whole: string = name,
+    isOnly = false,
   ): Promise<T> {
     for (;;) {
-      const isAlone = this.#isOneByOne;
+      const isAlone = isOnly || this.#isOneByOne;
       const leave = isAlone ? await this.#enter(signal) : () => {};
       const start = performance.now();
       let open: OpenPdf | null = null;

@@ -71,6 +71,63 @@ describe("the text of a PDF's page", () => {
     expect(first.angle).toBe(0);
   });
 
+  it("is without layers that are off, of the page and of forms on it", async () => {
+    const group = (name: string): string => `<< /Type /OCG /Name (${name}) >>`;
+    const word = (text: string, y: number): string => say(text, `1 0 0 1 20 ${y}`);
+    const marked = (layer: string, content: string): string => `/OC /${layer} BDC\n${content}EMC\n`;
+    const hidden = word("FormOff", 100);
+    const form = `<< /Type /XObject /Subtype /Form /BBox [0 0 200 300] /OC 11 0 R /Resources << ${fonts} >> /Length ${hidden.length} >>\nstream\n${hidden}\nendstream`;
+    const content = [
+      marked("On", word("On", 250)),
+      marked("Off", `${word("Off", 220)}/Span << /MCID 0 >> BDC\n${word("Within", 200)}EMC\n`),
+      marked("Some", word("Some", 180)),
+      marked("None", word("None", 160)),
+      "/Form Do\n",
+      word("Behind", 60),
+    ];
+    const runs = await textOf(content.join(""), {
+      catalog: "/OCProperties << /OCGs [10 0 R 11 0 R] /D << /OFF [11 0 R] >> >>",
+      resources: `${fonts} /XObject << /Form 14 0 R >> /Properties << /On 10 0 R /Off 11 0 R /Some 12 0 R /None 13 0 R >>`,
+      objects: [
+        group("On"),
+        group("Off"),
+        "<< /Type /OCMD /OCGs [10 0 R 11 0 R] /P /AnyOn >>",
+        "<< /Type /OCMD /OCGs [10 0 R 11 0 R] /P /AllOn >>",
+        form,
+      ],
+    });
+    expect(runs.map(({ text }) => text.trim())).toEqual(["On", "Some", "Behind"]);
+  });
+
+  it("is what the file says that signs stand for", async () => {
+    const word = (text: string, x: number, y: number): string => say(text, `1 0 0 1 ${x} ${y}`);
+    const span = (words: string, content: string): string =>
+      `/Span << /ActualText ${words} >> BDC\n${content}EMC\n`;
+    const content = [
+      span("(fi)", word("~", 20, 250)),
+      span("<FEFF00AD>", word("-", 120, 220)),
+      span("()", word("***", 20, 190)),
+      // Several lines, each with words of its own.
+      span("(Call me Ishmael)", word("xxxxxxx", 20, 160) + word("yyyyyyy", 20, 130)),
+      "/Span /Named BDC\n",
+      word("z", 20, 100),
+      "EMC\n",
+      word("plain", 20, 70),
+    ];
+    const runs = await textOf(content.join(""), {
+      resources: `${fonts} /Properties << /Named << /ActualText (named) >> >>`,
+    });
+    expect(runs.map(({ text, end }) => [text.trim(), end])).toEqual([
+      ["fi", true],
+      ["\u00ad", true],
+      ["Call me", true],
+      ["Ishmael", true],
+      ["named", true],
+      ["plain", false],
+    ]);
+    expect(runs[0].width).toBeCloseTo(0.584 * 20);
+  });
+
   it("says where each letter stands, where it is asked to", async () => {
     // Words set far apart explicitly, as in a justified line.
     const set = (x: number, text: string): string => say(text, `1 0 0 1 ${x} 250`);
@@ -267,6 +324,28 @@ describe("a PDF's links and contents", () => {
       { title: "Web", page: null, href: "https://example.org/", children: [] },
     ]);
     expect(await (await open({ pages: [""] })).outline!(never)).toEqual([]);
+  });
+
+  it("lead to their page, whichever part of it they name", async () => {
+    const parts = [
+      "",
+      "/XYZ",
+      "/XYZ 0",
+      "/Fit 0",
+      "/FitH 1 2 3",
+      "/FitR 0 0",
+      "/Other",
+      "(Fit)",
+      "null 1",
+    ];
+    const named = "/A << /S /GoTo /D (named) >>";
+    const links = [...parts.map((part) => `/Dest [2 ${part}]`), named].map((to) => link(to));
+    const catalog = "/Dests << /named [2] >> /OpenAction [1]";
+    const source = await open(annotated(links, { catalog }));
+    const found = await source.links!(0, never);
+    expect(found.map(({ to }) => to)).toEqual(links.map(() => ({ page: 3 })));
+    expect(source.warnings).toEqual([]);
+    expect(source.openingPage).toBe(2);
   });
 
   it("end at the bounds of number and depth", async () => {

@@ -1,6 +1,6 @@
 /** The pages of a PDF, as pdf.js reads and draws them. */
 
-import type { PDFPageProxy } from "pdfjs-dist";
+import type { PDFDocumentProxy, PDFPageProxy } from "pdfjs-dist";
 import { cleanText } from "./book_text.ts";
 import { closedError, unknownFailure } from "./failures.ts";
 import { fitPixels, isPageSize, limits, wholePage } from "./limits.ts";
@@ -118,7 +118,7 @@ export class PdfSource implements PageSource {
     };
     try {
       // By the name of all of the page: whatever else is read of it would stall the worker once more.
-      const small = await this.#reader.run("page 0", draw, signal);
+      const small = await this.#reader.run("page 0", draw, signal, "page 0", true);
       const { width, height } = small;
       const pen = new OffscreenCanvas(width, height).getContext("2d");
       pen?.drawImage(small, 0, 0);
@@ -214,9 +214,9 @@ export class PdfSource implements PageSource {
   }
 
   async text(index: number, signal: AbortSignal, exact = false): Promise<readonly TextRun[]> {
-    return await this.#read(index, exact ? "letters" : "text", signal, (page) => {
+    return await this.#read(index, exact ? "letters" : "text", signal, (page, _, document) => {
       const letters = exact ? () => lettersOfPage(this.#pdfjs, page) : undefined;
-      return textOfPage(page, signal, letters);
+      return textOfPage(document, page, signal, letters);
     });
   }
 
@@ -280,18 +280,19 @@ export class PdfSource implements PageSource {
    *
    * @param part what is read of it, which has a time of its own
    *
-   * @param read is given the page, and a signal that its result is not wanted any more
+   * @param read is given the page, a signal that its result is not wanted any more, and the document
    */
   async #read<T>(
     index: number,
     part: string,
     signal: AbortSignal | undefined,
-    read: (page: PDFPageProxy, ended: AbortSignal) => Promise<T>,
+    read: (page: PDFPageProxy, ended: AbortSignal, document: PDFDocumentProxy) => Promise<T>,
   ): Promise<T> {
     const readPage = async ({ document, ended }: OpenPdf) =>
       await read(
         await document.getPage(index + 1),
         signal ? AbortSignal.any([signal, ended]) : ended,
+        document,
       );
     // A page that cannot be drawn has its size all the same.
     const whole = part === "size" ? part : "page";

@@ -1,18 +1,32 @@
-import type { PDFPageProxy } from "pdfjs-dist";
+import type { PDFDocumentProxy, PDFPageProxy } from "pdfjs-dist";
 import { cleanRun } from "./book_text.ts";
 import { isPageSize, limits } from "./limits.ts";
 import type { TextRun } from "./page_source.ts";
 import { type Letter, placeLetters } from "./pdf_letters.ts";
 
-/** A pdf.js piece of text; a file can contain anything. */
+/** A pdf.js piece of text, or where a mark begins or ends; a file can contain anything. */
 interface Item {
   readonly str?: string;
+  readonly type?: string;
+  /** Of a mark, by the changed worker: the layer on which what follows lies, and the words for which it stands. */
+  readonly layer?: unknown;
+  readonly actualText?: string;
   readonly transform: readonly number[];
   readonly width: number;
   readonly height: number;
   readonly fontName: string;
   readonly hasEOL: boolean;
 }
+
+/** A mark that has begun: whether what it holds is not shown, the words for it, and its first piece. */
+interface Mark {
+  readonly isHidden: boolean;
+  readonly words: string | undefined;
+  readonly from: number;
+}
+
+/** Which layers of a document are shown. */
+type Layers = Awaited<ReturnType<PDFDocumentProxy["getOptionalContentConfig"]>>;
 
 interface Style {
   readonly ascent: number;
@@ -33,16 +47,17 @@ interface Piece {
 
 /**
  * Returns the text of a page in the order of its file, which is the reading
- * order. Rejects as pdf.js does.
+ * order, without what lies on layers that are not shown. Rejects as pdf.js does.
  *
  * @param letters finds the place of each letter
  */
 export async function textOfPage(
+  document: PDFDocumentProxy,
   page: PDFPageProxy,
   signal: AbortSignal,
   letters?: () => Promise<readonly Letter[]>,
 ): Promise<TextRun[]> {
-  const pieces = await readPieces(page, signal);
+  const pieces = await readPieces(page, await document.getOptionalContentConfig(), signal);
   const isLevel = ({ run }: Piece): boolean => !run.vertical;
   if (letters === undefined || !pieces.some(isLevel)) return pieces.map(({ run }) => run);
   const lines = pieces.map(({ run, em }) => ({ text: run.text, width: run.width, em }));
@@ -53,13 +68,19 @@ export async function textOfPage(
   });
 }
 
-async function readPieces(page: PDFPageProxy, signal: AbortSignal): Promise<Piece[]> {
+async function readPieces(
+  page: PDFPageProxy,
+  layers: Layers,
+  signal: AbortSignal,
+): Promise<Piece[]> {
   const view = page.getViewport({ scale: 1 });
   const pieces: Piece[] = [];
   const styles: Record<string, Style> = Object.create(null);
+  const marks: Mark[] = [];
   let letters = 0;
   let read = 0;
-  const reader = (page.streamTextContent() as ReadableStream<Chunk>).getReader();
+  const content = page.streamTextContent({ includeMarkedContent: true });
+  const reader = (content as ReadableStream<Chunk>).getReader();
   try {
     for (;;) {
       const { value, done } = await reader.read();
@@ -67,9 +88,14 @@ async function readPieces(page: PDFPageProxy, signal: AbortSignal): Promise<Piec
       if (done) return pieces;
       Object.assign(styles, value.styles);
       for (const item of value.items) {
-        if (item.str === undefined) continue;
         // What lies beside the page counts too, where it goes on for ever.
         if (++read > limits.textLength) return pieces;
+        if (item.str === undefined) {
+          if (item.type !== "endMarkedContent") marks.push(markOf(item, layers, pieces.length));
+          else putWords(pieces, marks.pop());
+          continue;
+        }
+        if (marks.some(({ isHidden }) => isHidden)) continue;
         const piece = pieceOf(item, styles[item.fontName], view.transform);
         if (piece && isWithin(piece.run, view)) {
           letters += piece.run.text.length;
@@ -84,8 +110,31 @@ async function readPieces(page: PDFPageProxy, signal: AbortSignal): Promise<Piec
   }
 }
 
+function markOf({ layer, actualText }: Item, layers: Layers, from: number): Mark {
+  return { isHidden: layer !== undefined && !layers.isVisible(layer), words: actualText, from };
+}
+
+/** Has the pieces of a mark say the words for which they stand. */
+function putWords(pieces: Piece[], mark: Mark | undefined): void {
+  if (mark?.words === undefined) return;
+  const drawn = pieces.splice(mark.from);
+  const words = cleanRun(mark.words);
+  const all = drawn.reduce((sum, { run }) => sum + run.width, 0);
+  let [passed, at] = [0, 0];
+  for (const piece of drawn) {
+    passed += piece.run.width;
+    // A line ends between words.
+    const about = Math.round((words.length * passed) / all);
+    const end = about < words.length ? words.lastIndexOf(" ", about) + 1 : about;
+    const text = words.slice(at, end);
+    at = Math.max(at, end);
+    if (text !== "") pieces.push({ ...piece, run: { ...piece.run, text } });
+    else follow(pieces, { str: "", hasEOL: piece.run.end });
+  }
+}
+
 /** Appends spaces and ends of lines that come as items of their own to the run before them. */
-function follow(pieces: Piece[], item: Item): void {
+function follow(pieces: Piece[], item: Pick<Item, "str" | "hasEOL">): void {
   const last = pieces.at(-1);
   if (last === undefined) return;
   const { text, end } = last.run;

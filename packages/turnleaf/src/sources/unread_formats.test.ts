@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
 import { sniffLength } from "./formats.ts";
-import { rejectionOf } from "./unread_formats.ts";
+import { joiningOf, rejectionOf } from "./unread_formats.ts";
 
 const sentence = (text: string): string => {
   const start = Uint8Array.from(text.slice(0, sniffLength), (letter) => letter.charCodeAt(0));
@@ -9,6 +9,13 @@ const sentence = (text: string): string => {
 };
 
 test.each([
+  ["[InternetShortcut]\r\nURL=https://example.org/", /what leads to a file .*, not the file; /],
+  ["d8:announce35:udp://tracker", /what leads to a file/],
+  ["#EXTM3U\na.mp3", /what leads to a file/],
+  ["[Desktop Entry]\nType=Link", /what leads to a file/],
+  ["magnet:?xt=urn:btih:1", /what leads to a file/],
+  ["bplist00\xd1", /what leads to a file/],
+  ['<?xml version="1.0"?>\n<!DOCTYPE plist PUBLIC "">', /what leads to a file/],
   ["{\\rtf1\\ansi", /a Rich Text document \(RTF\).*; save it as PDF\.$/],
   ["%!PS-Adobe-3.0 EPSF-3.0", /PostScript/],
   ["\xc5\xd0\xd3\xc6\x20\0\0\0", /PostScript/],
@@ -51,6 +58,13 @@ test.each([
 test("a later part of an archive is known by its name alone", () => {
   const start = Uint8Array.of(2, 3, 4);
   for (const name of ["a.7z.002", "a.z01", "a.R00"]) {
-    expect(rejectionOf({ start, type: "", name }).reason, name).toMatch(/one part of an archive/);
+    expect(rejectionOf({ start, type: "", name }).reason, name).toMatch(/one part of a/);
   }
+});
+
+test("of a part of a file that was cut it is said how to join it", () => {
+  expect(joiningOf("book.cbz.001")).toBe(
+    'is, by its name, one part of a file that was cut into several; join them in order (by "cat book.cbz.* > book.cbz", on Windows by "copy /b book.cbz.* book.cbz"), and open book.cbz.',
+  );
+  expect(joiningOf("book.cbz")).toBe(null);
 });

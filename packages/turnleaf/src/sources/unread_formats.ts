@@ -10,6 +10,7 @@ import {
   type FileStart,
   formatOfFile,
   listFormats,
+  pointer,
 } from "./formats.ts";
 
 /** Why a file is not opened, as the end of a sentence about it. */
@@ -43,6 +44,10 @@ const [toPdf, toEpub] = ["save it as PDF", "convert it to EPUB"] as const;
 /** Returns a test for one of several marks at the beginning. */
 const starts = (...marks: readonly string[]): Test => at(0, ...marks);
 
+/** The name of a file that was cut into several, which are numbered. */
+const partOfCut = /\.\d{3}$/;
+const cutReason = "is, by its name, one part of a file that was cut into several";
+
 const unread: readonly FileFormat[] = [
   document("a Rich Text document (RTF)", toPdf, textOf(/^\{\\rtf/)),
   document("PostScript (PS, EPS)", "convert it to PDF", starts("%!", "\x04%!", "\xc5\xd0\xd3\xc6")),
@@ -50,6 +55,11 @@ const unread: readonly FileFormat[] = [
     textOf(/<(?:\w+:)?fulfillmentToken[\s>]/),
     "is a token by which Adobe's programs fetch a book (ACSM), not the book",
     "open a book that is not protected",
+  ),
+  row(
+    textOf(pointer),
+    "is what leads to a file (as URL, WEBLOC and TORRENT do), not the file",
+    "fetch that with the program that opens this one, and open it here",
   ),
   row(textOf(/^</), "is XML of a kind that is not read", "open a book"),
   document("a document of Office (such as DOC)", toPdf, starts("\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1")),
@@ -119,7 +129,12 @@ const unread: readonly FileFormat[] = [
   ),
   row(starts("L\0\0\0\x01\x14\x02\0"), "is a shortcut to a file", "open the file itself"),
   row(
-    ({ name = "" }) => /\.(0\d\d|[rz]\d\d)$/i.test(name),
+    ({ name = "" }) => partOfCut.test(name),
+    cutReason,
+    "join its parts in order, and open the whole",
+  ),
+  row(
+    ({ name = "" }) => /\.[rz]\d\d$/i.test(name),
     "is, by its name, one part of an archive in several",
     "unpack all its parts together, and pack them as one",
   ),
@@ -133,6 +148,16 @@ const unread: readonly FileFormat[] = [
   archive("LZMA", 0, "\x5d\0\0"),
   archive("compress (Z)", 0, "\x1f\x9d"),
 ];
+
+/**
+ * Returns the end of a sentence about a file that cannot be read, if by its name it is a part of one that was
+ * cut, as `book.zip.001`; null for any other.
+ */
+export function joiningOf(name: string): string | null {
+  if (!partOfCut.test(name)) return null;
+  const whole = name.replace(partOfCut, "");
+  return `${cutReason}; join them in order (by "cat ${whole}.* > ${whole}", on Windows by "copy /b ${whole}.* ${whole}"), and open ${whole}.`;
+}
 
 /**
  * Returns what a file is that is not opened, and what to do about it, by its first bytes.

@@ -23,6 +23,20 @@ const chapters =
 const notes =
   '<body name="notes"><title><p>Notes</p></title><section id="n1"><title><p>1</p></title><p>A name.</p></section></body>';
 
+test("a FictionBook says of which series it is, and what it is about", async () => {
+  const info =
+    '<annotation><p>A <strong>whale</strong>.</p><p>A ship.</p></annotation><sequence name="The sea" number="2"/><sequence/>';
+  const source = await openSource(
+    new Blob([tinyFb2("<section><p>Call me</p></section>", "", info)]),
+  );
+  expect(source.details).toEqual([
+    { label: "", value: "Herman Melville" },
+    { label: "Series", value: "The sea, 2" },
+    { label: "", value: "A whale. A ship." },
+  ]);
+  source.close();
+});
+
 test("a FictionBook has its cover, text, contents, notes, links, pictures and author", async () => {
   const binary = `<binary id="p.png" content-type="image/png">${await picture()}</binary>`;
   const cover = '<coverpage><image l:href="#p.png"/></coverpage>';

@@ -64,6 +64,9 @@ const attributes = ["colspan", "rowspan", "xml:lang"];
 /** What bodies of notes are called, besides those to which notes lead. */
 const notesName = /note|comment/i;
 
+/** Series that are named. */
+const mostSeries = 5;
+
 /** Pictures of the cover of which the first that is there is shown, and characters by which a direction is found. */
 const mostCovers = 10;
 const sampleLength = 20_000;
@@ -157,7 +160,7 @@ async function readFb2(text: string, file: Blob, name: string): Promise<FlowBook
     cover: isCovered ? "picture" : "stamped",
     // One that is not there covers nothing.
     warnings: isCovered ? [] : covers.map((image) => warningOf("image", addressOf(image), name)),
-    details: authorsOf(info),
+    details: [...authorsOf(info), ...seriesOf(info), ...annotationOf(info)],
     sections,
     outline,
     asksToLeave: true,
@@ -365,6 +368,25 @@ function authorsOf(info: Element | null): BookDetail[] {
       return { label: "", value };
     })
     .filter(({ value }) => value !== "");
+}
+
+/** Returns the series that a book is of, with its number in each. */
+function seriesOf(info: Element | null): BookDetail[] {
+  return childrenOf(info, "sequence")
+    .slice(0, mostSeries)
+    .map((one) => {
+      const [name, number] = ["name", "number"].map((about) => cleanText(one.getAttribute(about)));
+      return { label: "Series", value: number && name ? `${name}, ${number}` : (name ?? "") };
+    })
+    .filter(({ value }) => value !== "");
+}
+
+/** Returns what a book says that it is about. */
+function annotationOf(info: Element | null): BookDetail[] {
+  const paragraphs = childrenOf(childOf(info, "annotation"), "p");
+  const text = paragraphs.map((one) => one.textContent ?? "").join(" ");
+  const value = cleanText(text, limits.noteLength);
+  return value === "" ? [] : [{ label: "", value }];
 }
 
 function childrenOf(element: Element | null, name: string): Element[] {

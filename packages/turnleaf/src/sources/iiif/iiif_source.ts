@@ -10,6 +10,7 @@ import {
   type BookWarning,
   type OutlineEntry,
   type PageBox,
+  type PageLink,
   type PagePicture,
   type PageSize,
   type PageSource,
@@ -18,7 +19,7 @@ import {
 import { SharedTasks } from "../shared_tasks.ts";
 import { showableImage } from "../showable_image.ts";
 import { lostLines, WarningList, warningOf } from "../warnings.ts";
-import { annotationsIn, textOn } from "./annotations.ts";
+import { annotationsIn, farText, farTexts, linksOn, textOn } from "./annotations.ts";
 import { type ImageInfo, parseInfo, partsFor, sharpestWidth } from "./image_service.ts";
 import {
   type CanvasPage,
@@ -79,7 +80,11 @@ class IiifSource implements PageSource {
     this.pageCount = pages.length;
     this.#book = book;
     this.#pages = [...pages];
-    this.#warnings.add(...lostLines(book.outline, book.name), ...pages.flatMap(this.#othersOn));
+    this.#warnings.add(
+      ...lostLines(book.outline, book.name),
+      ...book.warnings,
+      ...pages.flatMap(this.#othersOn),
+    );
   }
 
   get warnings(): readonly BookWarning[] {
@@ -149,10 +154,25 @@ class IiifSource implements PageSource {
   async text(index: number, signal: AbortSignal): Promise<readonly TextRun[]> {
     signal.throwIfAborted();
     const page = await this.#whole(index, signal);
-    const lists = await Promise.all(
-      page.annotations.map((list) => this.#annotations(index, list, signal)),
+    const lists = await this.#lists(index, page, signal);
+    const texts = { items: [] as Value[] };
+    for (const annotation of farTexts(lists).slice(0, mostLists)) {
+      const body = await this.#farText(index, annotation, signal);
+      if (body !== null) texts.items.push({ ...annotation, body });
+    }
+    return textOn(page, [...lists, texts]);
+  }
+
+  async links(index: number, signal: AbortSignal): Promise<readonly PageLink[]> {
+    signal.throwIfAborted();
+    const page = await this.#whole(index, signal);
+    const lists = await this.#lists(index, page, signal);
+    const { numbers, base, name } = this.#book;
+    const { links, aboutAll } = linksOn(page, lists, index + 1, numbers, base);
+    this.#warnings.add(
+      ...aboutAll.map((text) => ({ ...warningOf("annotation", text, name), page: index + 1 })),
     );
-    return textOn(page, lists.flat());
+    return links;
   }
 
   async outline(): Promise<readonly OutlineEntry[]> {
@@ -195,12 +215,18 @@ class IiifSource implements PageSource {
   }
 
   /** Returns warnings of what is painted on a page beside its images. */
-  readonly #othersOn = ({ images, others }: CanvasPage, index: number): BookWarning[] =>
-    others.map((other) => {
-      const code = images.length === 0 ? "page" : "embedded";
-      const about = `${this.label(index)} (${other})`;
-      return { ...warningOf(code, about, this.#book.name), page: index + 1 };
-    });
+  readonly #othersOn = ({ images, others, choices }: CanvasPage, index: number): BookWarning[] => {
+    const [page, source] = [index + 1, this.label(index)];
+    const message = `${this.#place(index)} has ${choices} more of its images to choose from, which are not shown.`;
+    const unchosen: BookWarning[] = [{ code: "embedded", message, source, page }];
+    return [
+      ...others.map((other) => {
+        const code = images.length === 0 ? "page" : "embedded";
+        return { ...warningOf(code, `${source} (${other})`, this.#book.name), page };
+      }),
+      ...(choices > 0 ? unchosen : []),
+    ];
+  };
 
   #page(index: number): CanvasPage {
     const page = this.#pages[index];
@@ -378,6 +404,29 @@ class IiifSource implements PageSource {
       },
       signal,
     );
+  }
+
+  async #lists(index: number, page: CanvasPage, signal: AbortSignal): Promise<Value[]> {
+    const lists = page.annotations.map((list) => this.#annotations(index, list, signal));
+    return (await Promise.all(lists)).flat();
+  }
+
+  /** Returns the text of an annotation that is at an address of its own; null if it cannot be had or read. */
+  async #farText(index: number, annotation: Value, signal: AbortSignal): Promise<Value | null> {
+    const far = farText(annotation);
+    const url = addressOf(far?.body, this.#book.base);
+    const format = far?.format.split(";", 1)[0] ?? "";
+    try {
+      if (url !== "" && /^text\/(plain|html)$/.test(format)) {
+        const blob = await this.#fetch(index, url, limits.manifestBytes, signal);
+        return { type: "TextualBody", value: await blob.text(), format };
+      }
+    } catch {
+      signal.throwIfAborted();
+    }
+    const warning = warningOf("annotation", url || "–", this.#book.name);
+    this.#warnings.add({ ...warning, page: index + 1 });
+    return null;
   }
 
   /**

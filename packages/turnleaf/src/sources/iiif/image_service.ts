@@ -35,7 +35,10 @@ export interface ImagePart {
 /** Maximum of tiles for one picture: of 256 pixels, enough for one of `limits.pixels`. */
 const mostTiles = 320;
 
-/** Returns the address of the Image API in a resource's services; "" if it has none. */
+/**
+ * Returns the address of the Image API in a resource's services; "" if it has none. One that does not say
+ * what it is, is one if the resource is at an address within its own.
+ */
 export function serviceOf(resource: Value): string {
   const services = objectsIn(resource.service, 20);
   const found = services.find((service) => {
@@ -45,10 +48,14 @@ export function serviceOf(resource: Value): string {
       ...stringsIn(service.profile),
     ];
     return marks.some((mark) =>
-      /ImageService[23]|api\/image\/[23]|image-api|^level[012]$/.test(mark),
+      /ImageService[123]|api\/image\/[123]|image-api|^level[012]$/.test(mark),
     );
   });
-  return found ? idOf(found).replace(/\/$/, "") : "";
+  const within = services.find((service) => {
+    const id = idOf(service).replace(/\/$/, "");
+    return id !== "" && idOf(resource).startsWith(`${id}/`);
+  });
+  return idOf(found ?? within).replace(/\/$/, "");
 }
 
 /** Returns what an info.json says; null if it is about no image. */

@@ -7,6 +7,7 @@ import { isRecord } from "../manifest_checks.ts";
 import {
   type BookDetail,
   BookError,
+  type BookWarning,
   type OutlineEntry,
   type PageBox,
   type PageSize,
@@ -15,6 +16,7 @@ import { serviceOf } from "./image_service.ts";
 import {
   addressOf,
   behaviorsOf,
+  boxAround,
   boxIn,
   idOf,
   lengthOf,
@@ -50,6 +52,8 @@ export interface CanvasPage {
   readonly images: readonly PaintedImage[];
   /** The types of what else is painted on it, such as "Video". */
   readonly others: readonly string[];
+  /** How many images there are to choose from besides those that are shown. */
+  readonly choices: number;
   /** Pages of annotations, here or by their address. */
   readonly annotations: readonly Value[];
   /** Reads it anew once its canvas is whole; absent if it is. */
@@ -78,14 +82,18 @@ export interface PresentedBook {
   readonly details: readonly BookDetail[];
   readonly outline: readonly OutlineEntry[];
   readonly pages: readonly CanvasPage[];
+  /** The number of a canvas's first page, from 1, by its address. */
+  readonly numbers: ReadonlyMap<string, number>;
+  /** What it lists besides pages and is not shown. */
+  readonly warnings: readonly BookWarning[];
   /** Its absolute address, the base of relative ones in it. */
   readonly base: string;
 }
 
 /** Maximum of images on a canvas, of pages of annotations, and of lines about the book. */
-const mostImages = 50;
+const mostImages = 200;
 const mostLists = 5;
-const mostDetails = 40;
+const mostDetails = 60;
 
 /** Size of a canvas that has none. */
 const usualSize: PageSize = { width: 1000, height: 1414 };
@@ -127,7 +135,8 @@ export function parsePresentation(
     });
   }
   const manifest = manifestOf(value, type, base);
-  const [sequence = {}] = objectsIn(manifest.sequences, 1);
+  const sequences = objectsIn(manifest.sequences ?? [], mostLists);
+  const sequence = sequences.find(({ canvases }) => canvases) ?? sequences[0] ?? {};
   const listed = manifest.items ?? sequence.canvases;
   const count = Array.isArray(listed) ? listed.length : 0;
   if (count > limits.pages) {
@@ -178,11 +187,31 @@ export function parsePresentation(
     ...(isSingle ? { layout: "single" as const } : {}),
     ...(openingPage === undefined ? {} : { openingPage }),
     metres: metresInUnit(canvases[0]) ?? metresInUnit(manifest),
-    details: readDetails(manifest, reading),
+    details: readDetails(manifest, canvases, reading),
+    warnings: otherOrders(manifest, sequence, name, languages),
+    numbers,
     outline: readRanges(manifest.structures, numbers, languages),
     pages: pages.slice(0, limits.pages),
     base,
   };
+}
+
+/** Returns warnings of sequences, or ranges that stand for them, besides the one whose pages are shown. */
+function otherOrders(
+  manifest: Value,
+  shown: Value,
+  name: string,
+  languages: readonly string[],
+): BookWarning[] {
+  const sequences = objectsIn(manifest.sequences ?? []).filter((one) => one !== shown);
+  const ranges = objectsIn(manifest.structures ?? [], limits.outlineEntries).filter((range) =>
+    behaviorsOf(range).includes("sequence"),
+  );
+  return [...sequences, ...ranges].slice(0, limits.warnings).map((one) => {
+    const source = textIn(one.label, languages) || cleanText(idOf(one)) || "–";
+    const message = `${source}, another sequence of pages of ${name}, is not shown.`;
+    return { code: "page", message, source };
+  });
 }
 
 /** Returns the metres in a unit of a canvas by its service Physical Dimensions; undefined without one. */
@@ -226,7 +255,7 @@ function ofCollection(value: Value, name: string, { base, languages }: Reading):
 }
 
 /** Returns the canvas that is meant: itself, or the one that a part of is meant. */
-function canvasOf(value: unknown): string {
+export function canvasOf(value: unknown): string {
   const source = isRecord(value) && "source" in value ? value.source : value;
   return idOf(source).split("#", 1)[0] ?? "";
 }
@@ -237,12 +266,11 @@ function readCanvas(
   isReversed: boolean,
   reading: Reading,
 ): CanvasPage[] {
-  const images = [
-    ...objectsIn(canvas.items ?? [], mostImages).flatMap((page) =>
-      objectsIn(page.items ?? [], mostImages),
-    ),
-    ...objectsIn(canvas.images ?? [], mostImages),
-  ].slice(0, mostImages);
+  const all = [
+    ...objectsIn(canvas.items ?? []).flatMap((page) => objectsIn(page.items ?? [])),
+    ...objectsIn(canvas.images ?? []),
+  ];
+  const images = all.slice(0, mostImages);
   const [first] = images.map(resourceOf);
   const named = sizeOf(canvas) ?? (first ? sizeOf(first) : null);
   const size = named ?? usualSize;
@@ -256,7 +284,11 @@ function readCanvas(
     label:
       cleanText(textIn(canvas.label, reading.languages), limits.labelLength) || String(index + 1),
     images: painted.filter((image) => typeof image !== "string"),
-    others: painted.filter((image) => typeof image === "string"),
+    others: [
+      ...painted.filter((image) => typeof image === "string"),
+      ...(all.length > mostImages ? [`${all.length - mostImages} more images`] : []),
+    ],
+    choices: images.reduce((sum, image) => sum + choicesOf(image).length - 1, 0),
     annotations: [
       ...referencesIn(canvas.annotations ?? [], mostLists),
       ...referencesIn(canvas.otherContent ?? [], mostLists),
@@ -301,12 +333,21 @@ function sizeOf(value: Value): PageSize | null {
   return width > 0 && height > 0 ? { width, height } : null;
 }
 
+/** Returns what an annotation may paint: of a choice all, the first first. */
+function choicesOf(annotation: Value): Value[] {
+  const [body = {}] = referencesIn(annotation.body ?? annotation.resource ?? [], 1);
+  if (typeOf(body) !== "Choice") return [body];
+  const all = [body.default, body.items ?? body.item].flatMap((list) =>
+    referencesIn(list ?? [], mostImages),
+  );
+  // Version 2 has the word for no image at all among them.
+  const chosen = all.filter((one) => idOf(one) !== "rdf:nil");
+  return chosen.length > 0 ? chosen : [{}];
+}
+
 /** Returns what an annotation paints: of a choice, the first. */
 function resourceOf(annotation: Value): Value {
-  const [body = {}] = referencesIn(annotation.body ?? annotation.resource ?? [], 1);
-  const [chosen = {}] =
-    typeOf(body) === "Choice" ? referencesIn(body.default ?? body.items, 1) : [body];
-  return chosen;
+  return choicesOf(annotation)[0] as Value;
 }
 
 /** Returns the image that an annotation paints; the type of what it paints if that is none. */
@@ -322,11 +363,12 @@ function readImage(annotation: Value, size: PageSize, { base }: Reading): Painte
     format.startsWith("image/") ||
     /\.(jpe?g|png|gif|webp|avif|svg)([?#]|$)/i.test(src);
   if (service === "" && !isImage) return cleanText(typeOf(source)) || cleanText(format) || src;
+  const [fragment = ""] = stringsIn(selector?.value);
   const region = selector ? `xywh=${stringsIn(selector.region)[0] ?? ""}` : src;
   return {
     src,
     service: service.replace(/\/$/, ""),
-    crop: boxIn(region, limits.pageSide, limits.pageSide),
+    crop: boxIn(fragment || region, limits.pageSide, limits.pageSide),
     turns: turnsOf(selector?.rotation),
     on: targetBox(annotation.target ?? annotation.on, size) ?? { x: 0, y: 0, ...size },
   };
@@ -347,13 +389,18 @@ export function targetBox(target: unknown, { width, height }: PageSize): PageBox
     ...objectsIn(one.default ?? [], 1),
   ]);
   for (const selector of selectors) {
-    const box = boxIn(stringsIn(selector.value)[0] ?? "", width, height);
+    const [value = ""] = stringsIn(selector.value ?? selector.chars);
+    const box = boxIn(value, width, height) ?? boxAround(value, width, height);
     if (box) return box;
   }
   return boxIn(idOf(object) || idOf(object.source ?? object.full), width, height);
 }
 
-function readDetails(manifest: Value, { base, languages }: Reading): BookDetail[] {
+function readDetails(
+  manifest: Value,
+  canvases: readonly Value[],
+  { base, languages }: Reading,
+): BookDetail[] {
   const details: BookDetail[] = [];
   const add = (label: unknown, value: unknown, href = ""): void => {
     const text =
@@ -371,11 +418,21 @@ function readDetails(manifest: Value, { base, languages }: Reading): BookDetail[
     const [page] = objectsIn(provider.homepage ?? [], 1);
     add("", provider.label, page ? addressOf(page, base) : "");
   }
-  for (const page of objectsIn(manifest.homepage ?? [], 5)) {
-    const href = addressOf(page, base);
-    if (href) add("", page.label ?? href, href);
+  add("", manifest.summary ?? manifest.description);
+  // Other forms of the book too, such as a PDF.
+  for (const list of [manifest.homepage, manifest.related, manifest.rendering]) {
+    for (const page of referencesIn(list ?? [], mostLists)) {
+      const href = addressOf(page, base);
+      if (href) add("", page.label ?? href, href);
+    }
   }
   for (const { label, value } of objectsIn(manifest.metadata ?? [], mostDetails)) add(label, value);
+  for (const { label, requiredStatement, attribution } of canvases) {
+    const [{ value = attribution } = {}] = objectsIn(requiredStatement ?? {}, 1);
+    // Those of each page are alike in most books.
+    const text = textIn(value, languages);
+    if (!details.some((detail) => detail.value === text)) add(label, value);
+  }
   return details;
 }
 

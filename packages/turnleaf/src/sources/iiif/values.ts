@@ -68,9 +68,10 @@ export function addressOf(value: unknown, base: string): string {
   }
 }
 
-/** Returns a number from above 0 to the longest side of a page; 0 for anything else. */
+/** Returns a number from above 0 to the longest side of a page, or one in words of digits; 0 for anything else. */
 export function lengthOf(value: unknown): number {
-  return typeof value === "number" && value > 0 && value <= limits.pageSide ? value : 0;
+  const length = typeof value === "string" ? Number(value) : value;
+  return typeof length === "number" && length > 0 && length <= limits.pageSide ? length : 0;
 }
 
 /** Returns a number of pixels, whole and at least 1; 0 for anything else. */
@@ -130,6 +131,21 @@ const entities: Readonly<Record<string, string>> = { amp: "&", lt: "<", gt: ">",
 export function plain(text: string): string {
   const bare = text.slice(0, longestText).replace(/<[^<>]*>/g, " ");
   return cleanText(bare.replace(/&(amp|lt|gt|quot);/g, (_, name: string) => entities[name] ?? ""));
+}
+
+/** Characters of a drawing that are read. */
+const longestPath = 20_000;
+
+/** Returns the box around a path or polygon of SVG in absolute places; null for anything else. */
+export function boxAround(svg: string, width: number, height: number): PageBox | null {
+  const path = /\s(?:d|points)=["']([^"']+)["']/.exec(svg.slice(0, longestPath))?.[1] ?? "";
+  const numbers = (path.match(/-?[\d.]+/g) ?? []).map(Number);
+  // Steps from place to place, or along one axis, are not followed.
+  if (/[abd-yHVA]/.test(path) || numbers.length < 4 || !numbers.every(Number.isFinite)) return null;
+  const [across, down] = [0, 1].map((axis) => numbers.filter((_, k) => k % 2 === axis));
+  const [x, y] = [Math.max(Math.min(...across), 0), Math.max(Math.min(...down), 0)];
+  const box = { x, y, width: Math.max(...across) - x, height: Math.max(...down) - y };
+  return box.width > 0 && box.height > 0 && x < width && y < height ? box : null;
 }
 
 /** Returns the box in a media fragment such as "#xywh=1,2,3,4"; null if there is none. */

@@ -28,6 +28,9 @@ const place = /^kindle:pos:fid:([0-9a-v]{1,8}):off:([0-9a-v]{1,10})/i;
 /** A place as links are kept: a fragment, as other schemes are cleaned away. */
 const keptPlace = /^#kindle-([0-9a-v]{1,8})-([0-9a-v]{1,10})$/i;
 
+/** A place in its own section, by its name, as such a link is kept. */
+const keptName = /^#kindle-in-(\d{1,9})-(.+)$/;
+
 /** A piece of a section. */
 interface Fragment {
   /** The number by which links name it. */
@@ -98,8 +101,12 @@ export async function openKf8(book: KindleParts): Promise<KindleText> {
       element.id = element.getAttribute("name") ?? `aid-${element.getAttribute("aid")}`;
     }
     for (const link of document.querySelectorAll("a[href]")) {
-      const [, index, offset] = place.exec(link.getAttribute("href") ?? "") ?? [];
+      const href = link.getAttribute("href") ?? "";
+      const [, index, offset] = place.exec(href) ?? [];
       if (index && offset) link.setAttribute("href", `#kindle-${index}-${offset}`);
+      else if (/^#./.test(href)) {
+        link.setAttribute("href", `#kindle-in-${skeletons.indexOf(skeleton)}-${href.slice(1)}`);
+      }
     }
     const content = await cleanMarkup(document, files, `A chapter of ${name}`);
     return size ? { ...content, size } : content;
@@ -123,6 +130,10 @@ export async function openKf8(book: KindleParts): Promise<KindleText> {
     return { section, id: offset === 0 && index === 0 ? "" : idIn(decoder.decode(after)) };
   };
   const resolve = (href: string): FlowTarget | null => {
+    const [, section, id] = keptName.exec(href) ?? [];
+    if (section !== undefined && id !== undefined) {
+      return { section: Number(section) + (isBefore ? 1 : 0), id };
+    }
     const [, index, offset] = keptPlace.exec(href) ?? [];
     if (index === undefined || offset === undefined) return null;
     return targetOf(Number.parseInt(index, 32), Number.parseInt(offset, 32));

@@ -116,6 +116,20 @@ test("a KF8 has its sections, style, pictures, drawings, links and contents", as
   source.close();
 });
 
+test("a link of a KF8 to a name in its own section leads there", async () => {
+  const text = ["<p>One</p>", `<p><a href="#end">Two</a></p><p id="end">End</p>`];
+  const source = await openSource(new Blob([tinyKf8({ text })]));
+  expect((await source.links?.(1, never))?.map(({ to }) => to)).toEqual([{ page: 2 }]);
+  source.close();
+});
+
+test("a picture of a MOBI that is there in another resolution alone is shown", async () => {
+  const text = '<html><body><p><img hirecindex="00001"></p></body></html>';
+  const source = await openSource(new Blob([tinyMobi({ text, resources: [await png()] })]));
+  expect(await redness(source, 0)).toBeGreaterThan(0.005);
+  source.close();
+});
+
 test("a KF8 of fixed layout has pages of the size that it names", async () => {
   const metadata = { 122: "true", 126: "600x800" };
   const source = await openSource(

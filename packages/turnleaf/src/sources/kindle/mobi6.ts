@@ -191,8 +191,11 @@ function modernise(document: Document): void {
   for (const link of document.querySelectorAll("a[filepos]")) {
     link.setAttribute("href", linkTo(link));
   }
-  for (const image of document.querySelectorAll("img[recindex]")) {
-    image.setAttribute("src", `recindex:${Number(image.getAttribute("recindex"))}`);
+  // Some books have it in another resolution alone.
+  for (const index of ["lorecindex", "hirecindex", "recindex"]) {
+    for (const image of document.querySelectorAll(`img[${index}]`)) {
+      image.setAttribute("src", `recindex:${Number(image.getAttribute(index))}`);
+    }
   }
   // The space above a block, and the indent of its first line.
   for (const block of document.querySelectorAll("p[height], p[width], div[height], div[width]")) {
