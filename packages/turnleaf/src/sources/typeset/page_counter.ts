@@ -98,6 +98,18 @@ export class PageCounter {
     return this.pages.numbers.isEstimated && !this.#hasEstimate;
   }
 
+  /** As `PageSource.keptCounts`. */
+  get keptCounts(): string | undefined {
+    return this.edition.keptCounts;
+  }
+
+  /** As `PageSource.expectCounts`. */
+  expectCounts(kept: string): void {
+    const edition = this.#next ?? this.edition;
+    edition.expect(kept);
+    if (edition.isExpected) this.#isSampled = true;
+  }
+
   /** As `PageSource.findAnchors`. */
   async findAnchors(anchors: readonly string[]): Promise<readonly (number | null)[]> {
     const places = anchors.map((anchor) => {
@@ -213,10 +225,11 @@ export class PageCounter {
     await this.#counted.reading;
     if (!this.isClosed) await this.#counted.lengths.read(signal, firstRead - openingRead);
     if (this.isClosed) return;
-    await this.edition.sample();
+    const { isExpected } = this.edition;
+    if (!isExpected) await this.edition.sample();
     this.#isSampled = true;
-    // Otherwise what is counted is about to be announced.
-    if (!this.edition.isLaid) this.announce();
+    // Otherwise what is counted is about to be announced, or known from the beginning.
+    if (!this.edition.isLaid && !isExpected) this.announce();
     void this.#counted.lengths.read(signal).then(() => this.#correct());
   }
 
