@@ -106,5 +106,5 @@ export default [
   allBut([...usual, ...apart], "shows and turns a book", 173.5),
   ...usual,
   ...apart,
-  allBut(apart, "all that a usual book loads", 225),
+  allBut(apart, "all that a usual book loads", 225.5),
 ];
