@@ -135,6 +135,9 @@ export const style: string = /* css */ `
 .dialog .entry { width: 12ch; max-width: none; }
 .dialog .remark { padding-inline: 0; max-width: 30ch; }
 .dialog progress { width: 100%; }
+.keys { display: grid; grid-template-columns: 1fr auto; gap: 8px 24px; margin: 0; max-height: calc(100vh - 200px); overflow: auto; }
+.keys dd { margin: 0; display: flex; gap: 6px; justify-content: flex-end; }
+.keys kbd { min-width: 1.1em; padding: 1px 7px; border: 1px solid var(--turnleaf-line); border-radius: 6px; background: var(--turnleaf-hover); font: inherit; text-align: center; white-space: nowrap; }
 .choices { display: flex; justify-content: flex-end; gap: 8px; margin-top: 12px; }
 .ui .plain { min-height: 44px; padding-inline: 16px; border: 1px solid var(--turnleaf-line); border-radius: 10px; }
 .view > .plain { margin: 4px 10px; }
