@@ -103,6 +103,13 @@ export class Edition {
     return found;
   }
 
+  /** Learns from another edition, whose place this one takes, what that has found since this one was made. */
+  learn(before: Edition): void {
+    for (const [section, sample] of before.samplesFor(this.typography)) {
+      if (!this.#samples.has(section)) this.#samples.set(section, sample);
+    }
+  }
+
   /** Returns what identifies a page of a section, as it is set here, among all pages. */
   keyOf(section: number, page: number): string {
     return `${this.#number}:${section}:${page}`;

@@ -225,11 +225,15 @@ export class PageCounter {
     await this.#counted.reading;
     if (!this.isClosed) await this.#counted.lengths.read(signal, firstRead - openingRead);
     if (this.isClosed) return;
-    const { isExpected } = this.edition;
-    if (!isExpected) await this.edition.sample();
+    let edition: Edition;
+    do {
+      edition = this.edition;
+      if (!edition.isExpected) await edition.sample();
+      // Another that has taken its place meanwhile has ended what it laid out.
+    } while (edition !== this.edition);
     this.#isSampled = true;
     // Otherwise what is counted is about to be announced, or known from the beginning.
-    if (!this.edition.isLaid && !isExpected) this.announce();
+    if (!edition.isLaid && !edition.isExpected) this.announce();
     void this.#counted.lengths.read(signal).then(() => this.#correct());
   }
 
@@ -254,6 +258,7 @@ export class PageCounter {
     }
     const before = this.edition;
     this.#next = null;
+    next.learn(before);
     const moved = this.pages.change(next);
     before.close();
     this.#counting = this.#layRest(next);
