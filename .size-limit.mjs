@@ -85,7 +85,7 @@ const apart = [
   entry("links", 1),
   entry("models", 196.1),
   entry("keyframes", 8),
-  entry("leaf-stage", 20.1),
+  entry("leaf-stage", 20.2),
   entry("page-flip", 5),
   entry("page-flip.browser", 5),
   entry("react-pageflip", 2),
