@@ -11,12 +11,14 @@ function luminance(colour: string): number {
 }
 
 test.for(pageThemes)("ink on paper has a contrast of at least 7 to 1 in the theme %s", (theme) => {
-  const { ink, paper, isDark } = themeLooks[theme];
-  const [dark, bright] = [luminance(ink), luminance(paper)].sort((a, b) => a - b) as [
-    number,
-    number,
-  ];
-  expect((bright + 0.05) / (dark + 0.05)).toBeGreaterThanOrEqual(7);
+  const { ink, link, paper, isDark } = themeLooks[theme];
+  for (const print of [ink, link]) {
+    const [dark, bright] = [luminance(print), luminance(paper)].sort((a, b) => a - b) as [
+      number,
+      number,
+    ];
+    expect((bright + 0.05) / (dark + 0.05)).toBeGreaterThanOrEqual(7);
+  }
   expect(luminance(paper) < luminance(ink)).toBe(isDark);
 });
 

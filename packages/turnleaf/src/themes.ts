@@ -6,6 +6,8 @@ export interface PageColours {
   readonly paper: string;
   /** The colour of print. */
   readonly ink: string;
+  /** The colour of links in text that is set for the reader. */
+  readonly link: string;
   /** Whether the paper is darker than the print. */
   readonly isDark: boolean;
   /**
@@ -27,6 +29,8 @@ export interface ThemeLook {
   /** Paper that nothing is printed on, and print that stands in for a page. */
   readonly paper: string;
   readonly ink: string;
+  /** Links in text that is set for the reader. By day they have the book's own colour. */
+  readonly link: string;
   /** The edges of its leaves, as they are seen from the side. */
   readonly edges: string;
   /** How bright cloth and headbands are, 0 to 1 of what they are by day. */
@@ -35,12 +39,40 @@ export interface ThemeLook {
   readonly isDark: boolean;
 }
 
-/** The look of each theme. Ink on paper has a contrast of at least 7 to 1. */
+/** The look of each theme. Ink on paper, and a link too, has a contrast of at least 7 to 1. */
 export const themeLooks: Readonly<Record<PageTheme, ThemeLook>> = {
-  light: { paper: "#fbf5e8", ink: "#211d1a", edges: "#efe4cf", cloth: 1, isDark: false },
-  sepia: { paper: "#f4ecd8", ink: "#3b2d1f", edges: "#e6d8b8", cloth: 0.92, isDark: false },
-  grey: { paper: "#3f3e3d", ink: "#e9e7e3", edges: "#5a5855", cloth: 0.7, isDark: true },
-  night: { paper: "#1c1b1a", ink: "#c9c5bd", edges: "#3a3734", cloth: 0.42, isDark: true },
+  light: {
+    paper: "#fbf5e8",
+    ink: "#211d1a",
+    link: "#0b4a7d",
+    edges: "#efe4cf",
+    cloth: 1,
+    isDark: false,
+  },
+  sepia: {
+    paper: "#f4ecd8",
+    ink: "#3b2d1f",
+    link: "#7a2c10",
+    edges: "#e6d8b8",
+    cloth: 0.92,
+    isDark: false,
+  },
+  grey: {
+    paper: "#3f3e3d",
+    ink: "#e9e7e3",
+    link: "#bfd8f5",
+    edges: "#5a5855",
+    cloth: 0.7,
+    isDark: true,
+  },
+  night: {
+    paper: "#1c1b1a",
+    ink: "#c9c5bd",
+    link: "#93bdec",
+    edges: "#3a3734",
+    cloth: 0.42,
+    isDark: true,
+  },
 };
 
 /**
@@ -49,8 +81,8 @@ export const themeLooks: Readonly<Record<PageTheme, ThemeLook>> = {
  * @param pictures what dark themes do with what is drawn already, as `PageColours` has it
  */
 export function coloursOf(theme: PageTheme, pictures: PageColours["pictures"]): PageColours | null {
-  const { paper, ink, isDark } = themeLooks[theme];
-  return theme === "light" ? null : { paper, ink, isDark, pictures };
+  const { paper, ink, link, isDark } = themeLooks[theme];
+  return theme === "light" ? null : { paper, ink, link, isDark, pictures };
 }
 
 /** Returns the look of a book's theme, `light` if it has none. */

@@ -39,7 +39,8 @@ export type ActionName =
   | "tearAcross"
   | "putBack"
   | "print"
-  | "download";
+  | "download"
+  | "keys";
 
 /** Zoom factor of one press. */
 const zoomStep = 1.5;
@@ -61,11 +62,13 @@ export function zoomBy(book: ControlledBook, by: 1 | 0 | -1): void {
  * Returns all actions.
  *
  * @param print asks what is to be printed
+ * @param help says what keys do
  */
 export function actionsOf(
   book: ControlledBook,
   { texts }: Wording,
   print: () => void,
+  help: () => void,
 ): Readonly<Record<ActionName, Action>> {
   const isFull = (): boolean => book.ownerDocument.fullscreenElement === book;
   return {
@@ -178,6 +181,14 @@ export function actionsOf(
       label: () => texts.download,
       run: () => void book.download(),
       hidden: () => !book.allows.download,
+    },
+    keys: {
+      icon: () => "keys",
+      label: () => texts.keys,
+      key: "?",
+      run: help,
+      // A phone has none.
+      hidden: () => !matchMedia("(any-pointer: fine)").matches,
     },
   };
 }

@@ -14,6 +14,7 @@ export const style: string = /* css */ `
 .ui button { border: 0; background: none; padding: 0; cursor: pointer; -webkit-tap-highlight-color: transparent; touch-action: manipulation; }
 .ui svg { width: 22px; height: 22px; fill: none; stroke: currentColor; stroke-width: 1.5; stroke-linecap: round; stroke-linejoin: round; display: block; flex: none; }
 .ui :focus-visible { outline: 2px solid var(--turnleaf-accent); outline-offset: -2px; }
+.frame.pressed .ui :focus-visible:not(input) { outline: none; }
 [part~="button"] { width: 44px; height: 44px; display: grid; place-items: center; border-radius: 10px; flex: none; transition: background 0.15s; }
 @media (hover: hover) { [part~="button"]:hover, .line:is(button, a):hover, .menu button:hover, .tabs button:hover { background: var(--turnleaf-hover); } }
 .ui [aria-disabled="true"] { opacity: 0.35; cursor: default; }
@@ -31,7 +32,7 @@ export const style: string = /* css */ `
 .ui .entry { box-sizing: border-box; height: 32px; min-width: 44px; max-width: 9ch; width: 6ch; field-sizing: content; padding: 0 8px; border: 1px solid var(--turnleaf-line); border-radius: 7px; background: var(--turnleaf-field); color: var(--turnleaf-ink); text-align: center; }
 .ui .entry[aria-invalid="true"] { border-color: var(--turnleaf-accent); color: var(--turnleaf-accent); }
 
-.ui .return { position: absolute; bottom: 60px; inset-inline: 0; width: max-content; margin-inline: auto; min-height: 36px; padding-inline: 14px; border-radius: 18px; background: var(--turnleaf-surface); color: var(--turnleaf-accent); box-shadow: 0 1px 6px rgb(0 0 0 / 0.25); }
+.ui .return { position: absolute; bottom: 60px; inset-inline: 0; width: max-content; margin-inline: auto; min-height: 44px; padding-inline: 18px; border-radius: 22px; background: var(--turnleaf-surface); color: var(--turnleaf-accent); box-shadow: 0 1px 6px rgb(0 0 0 / 0.25); }
 
 .track { position: relative; flex: 1; height: 44px; margin-inline: 6px; }
 .track input { appearance: none; width: 100%; height: 100%; margin: 0; background: none; cursor: pointer; touch-action: none; border-radius: 8px; }
@@ -135,6 +136,9 @@ export const style: string = /* css */ `
 .dialog .entry { width: 12ch; max-width: none; }
 .dialog .remark { padding-inline: 0; max-width: 30ch; }
 .dialog progress { width: 100%; }
+.keys { display: grid; grid-template-columns: 1fr auto; gap: 8px 24px; margin: 0; max-height: calc(100vh - 200px); overflow: auto; }
+.keys dd { margin: 0; display: flex; gap: 6px; justify-content: flex-end; }
+.keys kbd { min-width: 1.1em; padding: 1px 7px; border: 1px solid var(--turnleaf-line); border-radius: 6px; background: var(--turnleaf-hover); font: inherit; text-align: center; white-space: nowrap; }
 .choices { display: flex; justify-content: flex-end; gap: 8px; margin-top: 12px; }
 .ui .plain { min-height: 44px; padding-inline: 16px; border: 1px solid var(--turnleaf-line); border-radius: 10px; }
 .view > .plain { margin: 4px 10px; }

@@ -12,6 +12,7 @@ import { ContentsTab } from "./contents_tab.ts";
 import { panelWidth, style } from "./controls.css.ts";
 import { watchFullScreen } from "./full_screen.ts";
 import { listenToKeys } from "./keys.ts";
+import { showKeys } from "./keys_dialog.ts";
 import { PagesBar } from "./pages_bar.ts";
 import { Panel } from "./panel.ts";
 import { askPrint } from "./print_dialog.ts";
@@ -139,7 +140,8 @@ function build<Hit extends FoundPlace>(
     );
   };
   const print = (): void => askPrint(book, wording, frame);
-  const actions = actionsOf(book, wording, print);
+  const help = (): void => showKeys(book, wording, frame);
+  const actions = actionsOf(book, wording, print, help);
   const bar = new Bar(book, wording, actions, toggle);
   const pages = new PagesBar(book, wording);
   /** Moves the book aside for the open panel where it stays large enough. */
@@ -205,6 +207,7 @@ function build<Hit extends FoundPlace>(
         zoomBy(book, by);
         book.announceZoom();
       },
+      help,
       type: stepType,
       print: () => {
         if (!book.allows.print) return false;

@@ -81,3 +81,30 @@ test("the password dialog returns what is typed, or null, and says that one was 
   expect([await left, dialog()]).toEqual([null, null]);
   expect(await askPassword(book, false, opening.signal)).toBeNull();
 });
+
+test("the help says what keys do, in the book that is open; ? opens and closes it", async () => {
+  const { book, root } = addFakeBook();
+  const dialog = () => root.querySelector<HTMLDialogElement>("dialog");
+  const rows = (): (string | null)[] =>
+    [...(dialog()?.querySelectorAll("dt, dd") ?? [])].map(({ textContent }) => textContent);
+  book.canTypeset = true;
+  book.focus();
+  await userEvent.keyboard("?");
+  await eventually(() => dialog()?.open).toBe(true);
+  expect(rows().slice(0, 4)).toEqual(["Next page", "→Space", "Previous page", "←⇧ Space"]);
+  expect(rows()).toContain("Larger type");
+  await userEvent.keyboard("?");
+  await eventually(dialog).toBe(null);
+  Object.assign(book, { direction: "rtl", canTypeset: false });
+  book.allows = { print: false, download: true };
+  named(root, "More").click();
+  [...root.querySelectorAll<HTMLElement>("[role=menuitem]")]
+    .find((item) => item.textContent === "Keys")
+    ?.click();
+  await eventually(() => dialog()?.open).toBe(true);
+  expect(rows().slice(0, 2)).toEqual(["Next page", "←Space"]);
+  expect(rows()).not.toContain("Larger type");
+  expect(rows()).not.toContain("Print");
+  [...(dialog()?.querySelectorAll("button") ?? [])].at(-1)?.click();
+  await eventually(dialog).toBe(null);
+});

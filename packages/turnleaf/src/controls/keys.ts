@@ -11,6 +11,8 @@ export interface KeyCommands {
   bookmark(): void;
   /** Asks which pages are to be printed. Returns whether the book may be. */
   print(): boolean;
+  /** Shows what each key does. */
+  help(): void;
   /** Sets flowing text one step larger (1) or smaller (-1). */
   type(by: 1 | -1): void;
 }
@@ -63,6 +65,7 @@ function handle(event: KeyboardEvent, book: ControlledBook, commands: KeyCommand
     b: () => commands.bookmark(),
     o: () => book.shownLayout === "spread" && book.toggleShift(),
     "/": () => commands.search(),
+    "?": () => commands.help(),
   };
   const onBook: Record<string, () => unknown> = {
     Home: () => book.turnTo(1, { jump: true }),

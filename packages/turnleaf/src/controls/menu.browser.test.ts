@@ -31,7 +31,7 @@ test("the menu works by key and chooses a theme", async () => {
   more.click();
   const items = [...root.querySelectorAll<HTMLElement>("[role=menuitem]")];
   const seen = items.filter((item) => item.offsetParent).map((item) => item.textContent);
-  expect(seen).toEqual(["Stop the slide-show"]);
+  expect(seen).toEqual(["Stop the slide-show", "Keys"]);
 });
 
 test("the menu has the eye lean back and look from above again", async () => {
@@ -64,7 +64,7 @@ test("the menu folds out, tears and crumples where there is something to", async
     expect(root.activeElement).toBe(more);
   };
   more.click();
-  expect(items()).toEqual(["Start the slide-show", "Print", "Download"]);
+  expect(items()).toEqual(["Start the slide-show", "Print", "Download", "Keys"]);
   more.click();
   Object.assign(book, { foldOut: "shut", tearablePage: 5 });
   await choose("Unfold this page");

@@ -20,6 +20,7 @@ const always: readonly ActionName[] = [
   "putBack",
   "print",
   "download",
+  "keys",
 ];
 
 /**

@@ -236,3 +236,14 @@ test("hits come in while the book is searched, and stay, on other pages, when it
   remove();
   book.remove();
 });
+
+test("what a panel gives the focus to is framed for readers who go by keys, and not by a pointer", async () => {
+  const { root } = addFakeBook();
+  const framed = (): boolean =>
+    getComputedStyle(root.activeElement as Element).outlineStyle !== "none";
+  await userEvent.click(named(root, "Contents"));
+  await eventually(() => root.activeElement?.matches(".line")).toBe(true);
+  expect(framed()).toBe(false);
+  await userEvent.keyboard("{ArrowDown}");
+  expect(framed()).toBe(true);
+});

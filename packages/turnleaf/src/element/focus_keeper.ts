@@ -45,14 +45,20 @@ export function keepFocus(root: ShadowRoot, focus: () => void): void {
 
 /**
  * Gives an element the class `tabbed` while its reader goes by Tab, not by a pointer: only then is it shown
- * that it has the focus.
+ * that it has the focus. Of what is in it the class `pressed` says the same the other way about: a browser
+ * frames what a program gives the focus to, and readers by a pointer need no frame.
  */
 export function followTab(element: HTMLElement): void {
   // Who comes from outside lets go of the key in it.
   element.addEventListener("keyup", ({ key }) => {
     if (key === "Tab") element.classList.add("tabbed");
   });
-  const pressed = (): void => element.classList.remove("tabbed");
+  const pressed = (): void => {
+    element.classList.remove("tabbed");
+    element.classList.add("pressed");
+  };
+  const go = (): void => element.classList.remove("pressed");
+  element.addEventListener("keydown", go, { capture: true, passive: true });
   element.addEventListener("pointerdown", pressed, { capture: true, passive: true });
 }
 

@@ -45,6 +45,26 @@ it("keeps the size of pages for which text is set, unless it is none", () => {
   }
 });
 
+it("keeps the numbers of pages of flowing text, with the size or without", () => {
+  storage();
+  const size = { width: 343, height: 525.5 };
+  for (const known of [{ counts: "1abc.3.12" }, { size, counts: "1abc.3.12" }]) {
+    const text = { anchors: ["1:20"], typography: {}, ...known };
+    savePlace("a", { ...plain, text });
+    expect(loadPlace("a")?.text).toEqual(text);
+  }
+});
+
+it("forgets the books read longest ago where all are more than is read", () => {
+  const held = storage();
+  const text = { anchors: ["1:20"], typography: {}, counts: "1".repeat(9000) };
+  for (let i = 1; i <= 60; i++) savePlace(`${i}`, { ...plain, page: i, text });
+  expect(held.text?.length).toBeLessThan(400_001);
+  expect(loadPlace("60")?.page).toBe(60);
+  expect(loadPlace("30")?.page).toBe(30);
+  expect(loadPlace("1")).toBe(null);
+});
+
 it("keeps a hundred books, the last read", () => {
   const held = storage();
   for (let i = 1; i <= 150; i++) savePlace(`${i}`, { ...plain, page: i });

@@ -144,7 +144,7 @@ export class PlaceKeeper {
     const kept = isKept ? loadPlace(this.#name(source)) : null;
     this.#say(kept?.seen ?? {});
     if (!source.findAnchors) return null;
-    const { anchors = [], typography: said = {}, size } = kept?.text ?? {};
+    const { anchors = [], typography: said = {}, size, counts } = kept?.text ?? {};
     const asked = this.#asked;
     // A number is of the pages as they were counted then: the text with which its page began says more.
     const isSamePage = asked === null || asked === kept?.page;
@@ -156,6 +156,7 @@ export class PlaceKeeper {
       // Pages of another size begin with other words.
       const now = this.#textSize();
       if (isOther || now.width !== width || now.height !== height) await source.typeset?.(setting);
+      if (counts) source.first.expectCounts?.(counts);
       const wanted = [at ?? "", left ?? "", ...anchors.slice(1)];
       const [index = null, leftAt = null, ...marks] = await source.findAnchors(wanted);
       const ofFolds = marks.splice(kept?.bookmarks.length ?? 0);
@@ -261,7 +262,9 @@ export class PlaceKeeper {
     const anchors = first.anchor && pages.map((one) => first.anchor?.(one - 1) ?? "");
     const size = this.#textSize();
     const typography = this.#said(typographyAttributes);
-    const text = anchors ? { text: { anchors, typography, ...(size.width > 0 && { size }) } } : {};
+    const counts = first.keptCounts;
+    const known = { ...(size.width > 0 && { size }), ...(counts && { counts }) };
+    const text = anchors ? { text: { anchors, typography, ...known } } : {};
     const folds = dogEars.map(
       ({ page, corner, size }): SavedDogEar => [
         bookmarks.indexOf(page),
@@ -330,6 +333,8 @@ export interface SavedPlace {
     readonly typography: Readonly<Record<string, string>>;
     /** The size of pages for which it is set, CSS pixels; absent if that was unknown. */
     readonly size?: PageSize;
+    /** The numbers of its pages, as `PageSource.keptCounts`; absent if that was unknown. */
+    readonly counts?: string;
   };
 }
 
@@ -394,10 +399,11 @@ function dogEarsOf({ bookmarks, folds }: SavedPlace): readonly DogEar[] {
 /** Returns what is kept of flowing text, as far as it is what this code writes. */
 function cleanText(text: unknown): Pick<SavedPlace, "text"> {
   if (!Array.isArray(text)) return {};
-  const [anchors, said, size] = text;
+  const [anchors, said, size, counts] = text;
   if (!Array.isArray(anchors) || !anchors.every((one) => typeof one === "string")) return {};
   const typography = cleanAttributes(typographyAttributes, said);
-  return { text: { anchors: anchors.slice(0, mostAnchors), typography, ...cleanSize(size) } };
+  const known = { ...cleanSize(size), ...(typeof counts === "string" && counts && { counts }) };
+  return { text: { anchors: anchors.slice(0, mostAnchors), typography, ...known } };
 }
 
 /** Returns the size that is kept of pages, likewise. */
@@ -435,13 +441,16 @@ export function savePlace(name: string, place: SavedPlace): void {
   ]);
   const isSeen = Object.keys(seen).length > 0;
   const hasMore = folds.length > 0 || rows.length > 0 || isSeen;
-  const size = text?.size ? [[text.size.width, text.size.height]] : [];
-  if (text || hasMore) row.push(text ? [text.anchors, text.typography, ...size] : null);
+  const size = text?.size ? [text.size.width, text.size.height] : null;
+  const known = text?.counts ? [size, text.counts] : size ? [size] : [];
+  if (text || hasMore) row.push(text ? [text.anchors, text.typography, ...known] : null);
   if (hasMore) row.push(folds, rows);
   if (isSeen) row.push(seen);
-  const all = [row, ...others];
+  const all = [row, ...others].slice(0, mostBooks).map((one) => JSON.stringify(one));
+  // What is longer than it may be is not read again.
+  while (all.length > 1 && all.join(",").length + 2 > longestStore) all.pop();
   try {
-    localStorage.setItem(key, JSON.stringify(all.slice(0, mostBooks)));
+    localStorage.setItem(key, `[${all.join(",")}]`);
   } catch {
     // Full, or forbidden.
   }

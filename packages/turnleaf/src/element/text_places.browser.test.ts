@@ -125,6 +125,31 @@ describe("the place of a reader in flowing text", () => {
     expect(again.pageCount).toBe(pageCount);
   });
 
+  test("has the number of pages that was counted before from the beginning, unless text is set otherwise", async () => {
+    const first = await open({ remember: "" });
+    await counted(first);
+    await first.goTo(9);
+    const { pageCount } = first;
+    first.remove();
+    holdCounting();
+    // Left while its pages are counted again, it keeps what it knew.
+    for (let visit = 0; visit < 2; visit++) {
+      const again = await open({ remember: "" });
+      expect([again.pageCount, again.guessed, again.estimated]).toEqual([pageCount, false, true]);
+      again.remove();
+    }
+    countOn();
+    const last = await open({ remember: "" });
+    const changes: number[] = [];
+    last.addEventListener("pageschange", (event) => changes.push(event.detail.pageCount));
+    await counted(last);
+    expect(new Set([pageCount, ...changes])).toEqual(new Set([pageCount]));
+    last.remove();
+    holdCounting();
+    const larger = await open({ remember: "", "font-size": "1.5" });
+    expect(larger.guessed).toBe(true);
+  });
+
   test("keeps its side and its words while what is before it is counted; its address is renewed", async () => {
     holdCounting();
     const element = await open({ address: "" });

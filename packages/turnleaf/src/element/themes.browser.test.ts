@@ -1,10 +1,12 @@
 import { afterEach, expect, test } from "vitest";
 import { book, happens, scans } from "../for_tests/element_books.ts";
 import { eventually } from "../for_tests/eventually.ts";
+import { pixels } from "../for_tests/picture_measures.ts";
 import { toolSession } from "../for_tests/real_mouse.ts";
 import { prose, tinyEpub } from "../sources/epub/tiny_epub.ts";
 import type { PagePicture } from "../sources/page_source.ts";
 import { tinyPdf } from "../sources/tiny_pdf.ts";
+import { themeLooks } from "../themes.ts";
 
 afterEach(() => document.querySelector("turnleaf-book")?.remove());
 
@@ -29,6 +31,14 @@ async function extremesOf(element: Book, page: number): Promise<[number, number]
   return [greens.reduce((a, b) => Math.min(a, b), 255), greens.reduce((a, b) => Math.max(a, b), 0)];
 }
 
+/** Returns the colours of all pixels of a page. */
+async function coloursOn(element: Book, page: number): Promise<Set<string>> {
+  const { data } = pixels(await element.drawPage(page, 400));
+  const hex = (at: number): string => (data[at] ?? 0).toString(16).padStart(2, "0");
+  const places = Array.from({ length: data.length / 4 }, (_, k) => 4 * k);
+  return new Set(places.map((at) => `#${hex(at)}${hex(at + 1)}${hex(at + 2)}`));
+}
+
 async function opened(pages: Book["pages"], attributes: Record<string, string>): Promise<Book> {
   const element = book(pages, { duration: "0", ...attributes });
   await happens(element, "load");
@@ -48,6 +58,18 @@ test("text is set in the colours of the theme, at once and when it changes, what
   expect(await colourAt(element, 1, 0.01, 0.01)).toBe("255,255,0");
   // Nothing is laid out anew for it.
   expect(element.pageCount).toBe(before);
+});
+
+test("links in text have a colour of the theme that other words have not", async () => {
+  const css = "p { font: bold 60px sans-serif } a { color: #a00; text-decoration: none }";
+  const chapters = ['<p><a href="https://example.org/"><i>HI</i></a> HI</p>'];
+  const element = await opened(tinyEpub({ chapters, css }), {});
+  for (const theme of ["sepia", "grey", "night"] as const) {
+    element.theme = theme;
+    const colours = await coloursOn(element, 1);
+    const { ink, link } = themeLooks[theme];
+    expect([colours.has(ink), colours.has(link)], theme).toEqual([true, true]);
+  }
 });
 
 test("pictures in text keep their colours, and lie on white where they are clear", async () => {

@@ -416,6 +416,16 @@ export interface PageSource {
    */
   findAnchors?(anchors: readonly string[]): Promise<readonly (number | null)[]>;
   /**
+   * The numbers of pages as text, to be kept with what `anchor` returns; undefined until they are counted.
+   * Absent if pages are never estimated.
+   */
+  readonly keptCounts?: string | undefined;
+  /**
+   * Takes the numbers of pages that were kept when the book was open before, ahead of `findAnchors`: set
+   * alike, it has as many from the beginning. What is of another book, or of text set otherwise, is ignored.
+   */
+  expectCounts?(kept: string): void;
+  /**
    * Resolves once all pages are counted and nothing of `pageCount` is estimated, for a program that
    * reads the pages itself: without a listener of `watchPages` the pages are renumbered by then.
    * Rejects as `draw` does. Absent if pages are never estimated.

@@ -134,6 +134,16 @@ export interface ControlTexts {
   readonly to: string;
   readonly allPages: string;
   readonly cancel: string;
+  /** The help that says what keys do. */
+  readonly keys: string;
+  readonly firstPage: string;
+  readonly lastPage: string;
+  /** Ends a zoom. */
+  readonly wholePage: string;
+  /** What is written on keys. */
+  readonly keySpace: string;
+  readonly keyHome: string;
+  readonly keyEnd: string;
   /** Maximum of pages that are printed at once. */
   readonly mostPrinted: Plural;
   readonly password: string;

@@ -103,6 +103,13 @@ export const texts: Texts = {
   to: "إلى الصفحة",
   allPages: "كل الصفحات",
   cancel: "إلغاء",
+  keys: "المفاتيح",
+  firstPage: "الصفحة الأولى",
+  lastPage: "الصفحة الأخيرة",
+  wholePage: "الصفحة كاملة",
+  keySpace: "مسافة",
+  keyHome: "Home",
+  keyEnd: "End",
   mostPrinted: {
     one: "صفحة واحدة على الأكثر في المرة الواحدة.",
     two: "صفحتان على الأكثر في المرة الواحدة.",

@@ -102,6 +102,13 @@ export const texts: Texts = {
   to: "bis Seite",
   allPages: "Alle Seiten",
   cancel: "Abbrechen",
+  keys: "Tasten",
+  firstPage: "Erste Seite",
+  lastPage: "Letzte Seite",
+  wholePage: "Ganze Seite",
+  keySpace: "Leertaste",
+  keyHome: "Pos1",
+  keyEnd: "Ende",
   mostPrinted: {
     one: "Höchstens {n} Seite auf einmal.",
     other: "Höchstens {n} Seiten auf einmal.",

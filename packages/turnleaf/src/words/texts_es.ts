@@ -102,6 +102,13 @@ export const texts: Texts = {
   to: "a la página",
   allPages: "Todas las páginas",
   cancel: "Cancelar",
+  keys: "Teclas",
+  firstPage: "Primera página",
+  lastPage: "Última página",
+  wholePage: "Página entera",
+  keySpace: "Espacio",
+  keyHome: "Inicio",
+  keyEnd: "Fin",
   mostPrinted: {
     one: "Como máximo {n} página a la vez.",
     other: "Como máximo {n} páginas a la vez.",

@@ -4,6 +4,7 @@ import { SharedTasks } from "../shared_tasks.ts";
 import { divide } from "./divide.ts";
 import { type FlowBook, isAllText } from "./flow_book.ts";
 import type { FlowWarnings } from "./flow_warnings.ts";
+import { keptCounts, readCounts } from "./kept_counts.ts";
 import { LaidChapter } from "./laid_chapter.ts";
 import { LaidSection } from "./laid_section.ts";
 import { OverspentError, type SectionMap } from "./lay_section.ts";
@@ -42,6 +43,8 @@ export class Edition {
   readonly #ended = new AbortController();
   readonly #number = made++;
   readonly #samples: Map<number, LaidSample>;
+  /** Each section's number of pages as it was when the book was set so before; null if that is unknown. */
+  #expected: readonly number[] | null = null;
   /** Whether every section has been laid out once, or cannot be. */
   isCounted = false;
 
@@ -90,11 +93,21 @@ export class Edition {
     for (const section of this.#book.sections.keys()) {
       const lines = this.#lengths.known(section);
       const extent = this.#maps.get(section)?.extent;
-      const isLaid = lines !== undefined && extent !== undefined;
-      const sample = isLaid ? { lines, extent } : this.#samples.get(section);
+      const pages = this.#expected?.[section];
+      // The last page is half full in the mean.
+      const filled = extent ?? (pages && pages - 0.5);
+      const isMeasured = lines !== undefined && filled !== undefined;
+      const sample = isMeasured ? { lines, extent: filled } : this.#samples.get(section);
       if (sample) found.set(section, { ...sample, extent: larger * sample.extent });
     }
     return found;
+  }
+
+  /** Learns from another edition, whose place this one takes, what that has found since this one was made. */
+  learn(before: Edition): void {
+    for (const [section, sample] of before.samplesFor(this.typography)) {
+      if (!this.#samples.has(section)) this.#samples.set(section, sample);
+    }
   }
 
   /** Returns what identifies a page of a section, as it is set here, among all pages. */
@@ -106,7 +119,25 @@ export class Edition {
   counts(): number[] {
     const { sections } = this.#book;
     const known = sections.map((_, section) => this.#maps.get(section));
+    const expected = this.#expected;
+    if (expected) return expected.map((count, section) => known[section]?.pageCount ?? count);
     return estimatePages(sections, this.#lengths, known, this.typography, this.#samples);
+  }
+
+  /** The numbers of pages as text that `expect` takes; undefined until all are counted or expected. */
+  get keptCounts(): string | undefined {
+    if (!this.isCounted && !this.#expected) return undefined;
+    return keptCounts(this.#book.sections, this.typography, this.counts());
+  }
+
+  /** Whether the numbers of pages are those that the book had when it was set so before. */
+  get isExpected(): boolean {
+    return this.#expected !== null;
+  }
+
+  /** Takes the numbers of pages that were kept of the book, if it was set so then. */
+  expect(kept: string): void {
+    this.#expected = readCounts(kept, this.#book.sections, this.typography);
   }
 
   /**

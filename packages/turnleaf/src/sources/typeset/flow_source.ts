@@ -377,6 +377,14 @@ export class FlowSource implements PageSource {
     return anchorOf(this.#pages.placeOn(index));
   }
 
+  get keptCounts(): string | undefined {
+    return this.#counter.keptCounts;
+  }
+
+  expectCounts(kept: string): void {
+    this.#counter.expectCounts(kept);
+  }
+
   findAnchors(anchors: readonly string[]): Promise<readonly (number | null)[]> {
     return this.#counter.findAnchors(anchors);
   }

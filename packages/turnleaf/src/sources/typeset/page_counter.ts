@@ -98,6 +98,18 @@ export class PageCounter {
     return this.pages.numbers.isEstimated && !this.#hasEstimate;
   }
 
+  /** As `PageSource.keptCounts`. */
+  get keptCounts(): string | undefined {
+    return this.edition.keptCounts;
+  }
+
+  /** As `PageSource.expectCounts`. */
+  expectCounts(kept: string): void {
+    const edition = this.#next ?? this.edition;
+    edition.expect(kept);
+    if (edition.isExpected) this.#isSampled = true;
+  }
+
   /** As `PageSource.findAnchors`. */
   async findAnchors(anchors: readonly string[]): Promise<readonly (number | null)[]> {
     const places = anchors.map((anchor) => {
@@ -213,10 +225,15 @@ export class PageCounter {
     await this.#counted.reading;
     if (!this.isClosed) await this.#counted.lengths.read(signal, firstRead - openingRead);
     if (this.isClosed) return;
-    await this.edition.sample();
+    let edition: Edition;
+    do {
+      edition = this.edition;
+      if (!edition.isExpected) await edition.sample();
+      // Another that has taken its place meanwhile has ended what it laid out.
+    } while (edition !== this.edition);
     this.#isSampled = true;
-    // Otherwise what is counted is about to be announced.
-    if (!this.edition.isLaid) this.announce();
+    // Otherwise what is counted is about to be announced, or known from the beginning.
+    if (!edition.isLaid && !edition.isExpected) this.announce();
     void this.#counted.lengths.read(signal).then(() => this.#correct());
   }
 
@@ -241,6 +258,7 @@ export class PageCounter {
     }
     const before = this.edition;
     this.#next = null;
+    next.learn(before);
     const moved = this.pages.change(next);
     before.close();
     this.#counting = this.#layRest(next);

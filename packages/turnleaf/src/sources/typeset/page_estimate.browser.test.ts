@@ -295,3 +295,23 @@ test("lines are counted by paragraphs, without what is not seen", () => {
   // Markup without an end takes no longer than another.
   expect(linesIn("<head".repeat(100_000))).toBeLessThan(20_000);
 });
+
+test("the first estimate holds where a book is set anew while it is made, and lists that are hidden count nothing", async () => {
+  const pages = times(300, (k) => `<li><a href="c2.xhtml">${k}</a></li>`);
+  const contents = `<ol>${times(40, (k) => `<li>${words(5, k)}</li>`)}</ol><nav hidden="hidden"><ol>${pages}</ol></nav>`;
+  expect(linesIn(contents)).toBe(40);
+  const book = tinyEpub({ chapters: [contents, prose(200)] });
+  const source = (await openSource(new File([book], "hidden.epub"))) as FlowSource;
+  holdCounting();
+  const { estimated } = source;
+  await source.typeset?.({ ...ownTypography, width: 340 });
+  await source.findAnchors(["0:0"]);
+  await estimated;
+  source.watchPages((change) => void change());
+  const { pageCount, isGuessed } = source;
+  expect(isGuessed).toBe(false);
+  countOn();
+  await source.settle();
+  expect(Math.abs(pageCount / source.pageCount - 1)).toBeLessThan(0.3);
+  source.close();
+});

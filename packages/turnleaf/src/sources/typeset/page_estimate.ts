@@ -38,6 +38,9 @@ const blocks = new Set(
   ),
 );
 
+/** An attribute of an element that is not seen, such as a list of a printed book's pages. */
+const hiding = /\shidden(?=[\s=/>])/i;
+
 const tag = /<(\/?)([\w:-]{1,40})(?![\w:-])[^<>]*>/g;
 const entity = /&#?\w{1,8};/g;
 /** Letters that are as wide as two: of Chinese, Japanese and Korean. */
@@ -84,7 +87,7 @@ export function linesIn(markup: string): number {
     const isStart = slash === "" && !whole.endsWith("/>");
     if (inside !== "") {
       if (slash !== "" && local === inside) inside = "";
-    } else if (unseen.has(local) && isStart) inside = local;
+    } else if (isStart && (unseen.has(local) || hiding.test(whole))) inside = local;
     else if (pictures.has(local) && slash === "") lines += pictureLines;
     else if (local === "tr" || local === "table") endRow();
     else if (local === "td" || local === "th") {

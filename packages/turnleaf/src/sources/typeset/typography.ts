@@ -68,12 +68,13 @@ export const spokenAttribute = "data-turnleaf-spoken";
  * Returns the style sheet above all others where the reader chose colours. Pictures keep theirs; on dark
  * paper those that are clear in part lie on white, as they are drawn for it.
  */
-export function colourStyle({ ink, isDark }: PageColours): string {
+export function colourStyle({ ink, link, isDark }: PageColours): string {
   // The page is drawn within an SVG: drawings of the book's own are within its <html>.
   const inDrawing = "html svg *";
   const pictures = "html :is(img, svg, video, canvas, object)";
   return `
 :is(html, html *):not(${inDrawing}) { color: ${ink} !important; background: none !important; border-color: currentColor !important; text-shadow: none !important; }
+:is(html a[href], html a[href] *):not(${inDrawing}) { color: ${link} !important; }
 hr { background: currentColor !important; }
 [${spokenAttribute}], [${spokenAttribute}] * { color: #000 !important; background-color: #ffe27a !important; }
 ${isDark ? `${pictures}:not(${inDrawing}) { color: #000 !important; background: #fff !important; }` : ""}`;
