@@ -37,6 +37,7 @@ import { type InitialLetter, type PageFlow, pageOfRect, TextMap } from "./text_m
 import { trimHeights } from "./trim_heights.ts";
 import { isTypeface, typefaceRules } from "./typefaces/typefaces.ts";
 import { baseStyle, columnStyle, fixedStyle, readerStyle, rollStyle } from "./typography.ts";
+import { uncoverText } from "./uncover_text.ts";
 import { writingOf } from "./writing_direction.ts";
 
 /** The root's type size, from which the book's own is reckoned. */
@@ -180,6 +181,7 @@ export async function laySection(
     keepWords(body, flow, line, mentions);
     fit();
     fitFormulas(body, isVertical);
+    if (uncoverText(body, flow, mentions)) fit();
     if (placeBoxes(frame, body, flow, { ...page, ...ends }, mentions, fitted)) fit();
     if (!isSliced) {
       trimHeights(body, flow, area);
