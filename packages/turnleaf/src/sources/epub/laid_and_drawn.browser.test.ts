@@ -815,3 +815,43 @@ test("a short text of horizontal lines among vertical ones stays so, and lies on
   expect(notes.filter(({ vertical }) => vertical)).toEqual([]);
   await expectDrawnAsLaid(source);
 });
+
+const wideSvg = (attributes: string): string =>
+  `<svg xmlns="http://www.w3.org/2000/svg" ${attributes}><rect width="900" height="300" fill="#ddd"/><text x="820" y="280" font-size="40">end</text></svg>`;
+
+test.each<[string, string]>([
+  ["a drawing without a viewBox in a quotation", wideSvg('width="900" height="300"')],
+  [
+    "a drawing in a quotation",
+    wideSvg('viewBox="0 0 900 300" width="900" height="300" style="max-width: none"'),
+  ],
+  ["a box of a width of its own", '<div style="width: 370px; padding: 9px">end</div>'],
+  ["a box of a least width", '<div style="min-width: 370px">end</div>'],
+  [
+    "a box as wide as its words",
+    `<figure style="width: max-content">${"word ".repeat(40)}end</figure>`,
+  ],
+  [
+    "a table",
+    `<table><tr>${'<td style="min-width: 90px">a</td>'.repeat(4)}<td>end</td></tr></table>`,
+  ],
+])("%s that is indented ends where lines do", async (_, box) => {
+  const quotation = `<blockquote style="margin: 1em 3em"><ul><li>${box}</li></ul></blockquote>`;
+  for (const direction of ["ltr", "rtl"]) {
+    const body = `<div dir="${direction}">${quotation}</div><p>after</p>`;
+    const source = await laidOutEpub({ chapters: [body] });
+    const runs = (await source.text?.(0, never)) ?? [];
+    const end = runs.find(({ text }) => text.endsWith("end"));
+    expect(runs.at(-1)?.text).toBe("after");
+    expect(end && end.x + end.width).toBeLessThan(488 - 53 + 2);
+    expect(end?.x).toBeGreaterThan(53 - 2);
+  }
+});
+
+test("a picture that is meant to stand in the margin does", async () => {
+  const bled = wideSvg('viewBox="0 0 900 300" style="width: 420px; margin: 0 -20px"');
+  const source = await laidOutEpub({ chapters: [`${bled}<p>after</p>`] });
+  const [end] = (await source.text?.(0, never)) ?? [];
+  expect(end?.text).toBe("end");
+  expect(end && end.x + end.width).toBeGreaterThan(435);
+});
