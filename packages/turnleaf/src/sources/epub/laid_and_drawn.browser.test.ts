@@ -855,3 +855,16 @@ test("a picture that is meant to stand in the margin does", async () => {
   expect(end?.text).toBe("end");
   expect(end && end.x + end.width).toBeGreaterThan(435);
 });
+
+test("rows that are collapsed leave no room", async () => {
+  const heights = await Promise.all(
+    ["visibility: collapse", "display: none"].map(async (style) => {
+      const row = "<tr><td>row</td><td>words</td></tr>";
+      const rows = row.repeat(5) + row.replace("<tr>", `<tr style="${style}">`) + row.repeat(50);
+      const source = await laidOutEpub({ chapters: [`<table>${rows}</table><p>end</p>`] });
+      const runs = (await source.text?.(source.pageCount - 1, never)) ?? [];
+      return [source.pageCount, runs.at(-1)?.y];
+    }),
+  );
+  expect(heights[0]).toEqual(heights[1]);
+});

@@ -74,7 +74,7 @@ export function boxAround(element: Element): Element {
   return box;
 }
 
-/** Returns lengths of a computed style, CSS pixels; 0 for what is none. */
+/** Returns lengths of a computed style, CSS pixels; 0 for other values. */
 export function lengthsOf(style: CSSStyleDeclaration, ...names: readonly string[]): number[] {
   return names.map((name) => Number.parseFloat(style.getPropertyValue(name)) || 0);
 }

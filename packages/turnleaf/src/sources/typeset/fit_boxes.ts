@@ -5,6 +5,7 @@
  */
 
 import { lengthsOf, opened, type Styles, setStyles, tableParts, tolerance } from "./box_styles.ts";
+import { isMoved } from "./frame.ts";
 import { splitTable } from "./split_table.ts";
 import { boxesIn } from "./style_mentions.ts";
 import { type PageFlow, pageOfRect } from "./text_map.ts";
@@ -64,10 +65,11 @@ export function fitBoxes(
       const isWhole = rects.length === 1;
       const isHigh = isWhole && extentOf(rects[0] as DOMRect, isVertical).down > page + tolerance;
       const isOverrun = !isWhole && hasItemsBeyond(element, rects, view, isVertical);
+      const isPast = isBeyond(element, rects, area);
       const isWide =
         isOverrun ||
+        isPast ||
         widthOf(rects, isVertical) > line + tolerance ||
-        isBeyond(element, rects, area) ||
         (isWhole && isOverlong(element, isVertical));
       const isLined =
         isWhole || !/^(?:pre|nowrap)$/.test(view.getComputedStyle(element).whiteSpace);
@@ -92,7 +94,7 @@ export function fitBoxes(
       const isItem = grid !== null && view.getComputedStyle(grid).display.endsWith("grid");
       const box = isItem ? grid : element;
       const style = view.getComputedStyle(box);
-      const room = Math.min(line, roomFrom(rects, area));
+      const room = isPast ? Math.min(line, roomFrom(rects, area)) : line;
       const type = { line: room, page, isVertical };
       const isNarrowed = isWide || !isLined;
       changes.push([
@@ -180,6 +182,7 @@ function isBeyond(element: HTMLElement, rects: readonly DOMRect[], area: PageAre
   const style = view.getComputedStyle(element);
   const isMeant =
     style.position !== "static" ||
+    isMovedWithin(element) ||
     lengthsOf(style, "margin-inline-start", "margin-inline-end").some((margin) => margin < 0);
   if (isMeant || /^(?:inline|contents|table-.*)$/.test(style.display)) return false;
   const around = [...(element.parentElement?.getClientRects() ?? [])];
@@ -190,6 +193,18 @@ function isBeyond(element: HTMLElement, rects: readonly DOMRect[], area: PageAre
       return from > start - tolerance && to < end + tolerance;
     });
   });
+}
+
+/** Returns whether a box, or one that it is in, is moved after it is laid out. */
+function isMovedWithin(element: Element): boolean {
+  for (
+    let box: Element | null = element;
+    box && box.localName !== "body";
+    box = box.parentElement
+  ) {
+    if (isMoved(box)) return true;
+  }
+  return false;
 }
 
 /** Returns how much room there is from where a box begins to where lines end. */
