@@ -816,6 +816,33 @@ test("a short text of horizontal lines among vertical ones stays so, and lies on
   await expectDrawnAsLaid(source);
 });
 
+test.each(["horizontal-tb", "vertical-rl", "vertical-lr"])(
+  "a text of %s lines longer than a page, among others, is on several pages and lies on nothing",
+  async (mode) => {
+    const items = Array.from({ length: 12 }, (_, k) => `<li>item${k} ${"words ".repeat(30)}</li>`);
+    const long = `<p id="long">${"note ".repeat(600)}</p><ol>${items.join("")}</ol><p>last</p>`;
+    const other = mode === "horizontal-tb" ? "vertical-rl" : "horizontal-tb";
+    const source = await laidOutEpub({
+      chapters: [
+        `<div>${prose(20)}</div><div class="other">${long}</div><div>${prose(2)}after</div>`,
+      ],
+      css: `div { writing-mode: ${other} } .other { writing-mode: ${mode} } ol { list-style: none }`,
+    });
+    const runs = await Promise.all(
+      Array.from({ length: source.pageCount }, (_, k) => source.text?.(k, never) ?? []),
+    );
+    const others = runs.map((page) => page.filter(({ text }) => /note|words|last/.test(text)));
+    expect(others.filter(({ length }) => length > 0).length).toBeGreaterThan(2);
+    const isVertical = mode !== "horizontal-tb";
+    expect(others.flat().filter(({ vertical = false }) => vertical !== isVertical)).toEqual([]);
+    const text = letters((await pagesOf(source)).join(""));
+    expect(text.match(/note/g)?.length).toBe(600);
+    expect(text.match(/words/g)?.length).toBe(360);
+    expect(text).toContain("after");
+    await expectDrawnAsLaid(source);
+  },
+);
+
 const wideSvg = (attributes: string): string =>
   `<svg xmlns="http://www.w3.org/2000/svg" ${attributes}><rect width="900" height="300" fill="#ddd"/><text x="820" y="280" font-size="40">end</text></svg>`;
 

@@ -6,6 +6,7 @@
 
 import { lengthsOf, opened, type Styles, setStyles, tableParts, tolerance } from "./box_styles.ts";
 import { isMoved } from "./frame.ts";
+import { splitCrossed } from "./split_crossed.ts";
 import { splitTable } from "./split_table.ts";
 import { boxesIn } from "./style_mentions.ts";
 import { type PageFlow, pageOfRect } from "./text_map.ts";
@@ -284,7 +285,8 @@ function wholeChange(
 
 /**
  * Returns the styles by which a box whose lines stand across those around it fits on a page as it is, with lines
- * no longer than there is room for; null for others, and for one that has no room even so.
+ * no longer than there is room for, or on several, into which it is split; null for others, and for one that has
+ * no room even so.
  */
 function crossedChange(
   box: HTMLElement,
@@ -312,9 +314,16 @@ function crossedChange(
     isOverlong(box, isVertical) ||
     isOverlong(box, !isVertical) ||
     isOverfull(box, [rect ?? new DOMRect()], box.ownerDocument.createRange());
-  box.style.cssText = own;
   const fits = across <= line + tolerance && down <= page + tolerance;
-  return rect && others.length === 0 && fits && !isFull ? shorter : null;
+  if (rect && others.length === 0 && fits && !isFull) {
+    box.style.cssText = own;
+    return shorter;
+  }
+  const paged = { ...shorter, "break-before": "column", "break-after": "column" };
+  setStyles(box, paged);
+  if (/^(?:block|flow-root)$/.test(style.display) && splitCrossed(box, line, paged)) return paged;
+  box.style.cssText = own;
+  return null;
 }
 
 /** Returns whether nothing is in a box, which shows its background alone. */
