@@ -588,6 +588,10 @@ test.each([
   ],
   ["a box that is moved", '<p style="transform: translate(300px)">moved</p>'],
   ["a margin out of the page", `<p style="margin-left: -300px">${"word ".repeat(80)}</p>`],
+  [
+    "a margin of more than all of a line",
+    '<p style="margin-left: 700px">words behind a margin</p>',
+  ],
   ["a margin wider than a line", '<p style="margin: 0 400px">words between margins</p>'],
   [
     "an indent of more than all of a line",

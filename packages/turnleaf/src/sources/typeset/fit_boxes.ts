@@ -175,7 +175,10 @@ function isBeyond(element: HTMLElement, rects: readonly DOMRect[], area: PageAre
   const { isVertical } = area.flow;
   const isPast = (rect: DOMRect): boolean => {
     const [[from, to], [start, end]] = [endsOf(rect, isVertical), edgesOf(rect, area)];
-    return from < start - tolerance || to > end + tolerance;
+    // One that is for the most part elsewhere is put back as a whole.
+    const within = Math.min(to, end) - Math.max(from, start);
+    const isPartOf = within > (to - from) / 2;
+    return isPartOf && (from < start - tolerance || to > end + tolerance);
   };
   const past = rects.filter(isPast);
   if (past.length === 0) return false;
@@ -395,7 +398,9 @@ function roomWithin(style: CSSStyleDeclaration, { line }: TypeArea): number {
     ...["padding-inline-start", "padding-inline-end"],
     ...["border-inline-start-width", "border-inline-end-width"],
   );
-  return line - edges.reduce((sum, length) => sum + length, 0);
+  const room = line - edges.reduce((sum, length) => sum + length, 0);
+  // What is wider than that by its edges has these taken away.
+  return room > 0 ? room : line;
 }
 
 /** Returns the styles of a table that is as wide as a line: smaller, or turned, and else with broken words. */
