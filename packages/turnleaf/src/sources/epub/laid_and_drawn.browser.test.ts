@@ -879,6 +879,14 @@ test.each<[string, string]>([
   }
 });
 
+test("a box that is to reach into both margins does", async () => {
+  const box = `<div style="margin: 0 -30px; text-align: justify">${"word ".repeat(90)}</div>`;
+  const source = await laidOutEpub({ chapters: [`${box}<p>after</p>`] });
+  const [first] = (await source.text?.(0, never)) ?? [];
+  expect(first?.x).toBeCloseTo(53 - 30, 0);
+  expect(first && first.x + first.width).toBeCloseTo(488 - 53 + 30, 0);
+});
+
 test("a picture that is meant to stand in the margin does", async () => {
   const bled = wideSvg('viewBox="0 0 900 300" style="width: 420px; margin: 0 -20px"');
   const source = await laidOutEpub({ chapters: [`${bled}<p>after</p>`] });

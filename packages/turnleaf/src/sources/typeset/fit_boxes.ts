@@ -70,7 +70,7 @@ export function fitBoxes(
       const isWide =
         isOverrun ||
         isPast ||
-        widthOf(rects, isVertical) > line + tolerance ||
+        isLongerThan(line, element, rects, isVertical) ||
         (isWhole && isOverlong(element, isVertical));
       const isLined =
         isWhole || !/^(?:pre|nowrap)$/.test(view.getComputedStyle(element).whiteSpace);
@@ -197,6 +197,21 @@ function isBeyond(element: HTMLElement, rects: readonly DOMRect[], area: PageAre
       return from > start - tolerance && to < end + tolerance;
     });
   });
+}
+
+/** Returns whether a box is longer than a line, but for what it is to reach into the margins. */
+function isLongerThan(
+  line: number,
+  element: HTMLElement,
+  rects: readonly DOMRect[],
+  isVertical: boolean,
+): boolean {
+  const width = widthOf(rects, isVertical);
+  if (width <= line + tolerance) return false;
+  const view = element.ownerDocument.defaultView as Window;
+  const style = view.getComputedStyle(element);
+  const margins = lengthsOf(style, "margin-inline-start", "margin-inline-end");
+  return margins.reduce((sum, margin) => sum + Math.min(margin, 0), width) > line + tolerance;
 }
 
 /** Returns whether a box, or one that it is in, is moved after it is laid out. */
