@@ -132,19 +132,21 @@ function splitAt(box: HTMLElement, { node, offset }: Place): HTMLElement | null 
   range.setEnd(box, box.childNodes.length);
   rest.append(range.extractContents());
   rest.removeAttribute("id");
-  let [original, copy]: (Element | null)[] = [box, rest];
-  while (original && copy) {
-    const [last, first]: (Element | null)[] = [original.lastElementChild, copy.firstElementChild];
+  let original: Element = box;
+  let copy: Element = rest;
+  for (;;) {
+    const last: Element | null = original.lastElementChild;
+    const first: Element | null = copy.firstElementChild;
     const isDivided = last?.contains(node) === true;
     if (copy.localName === "ol" && last) {
       const step = original.hasAttribute("reversed") ? -1 : 1;
       const next = numberAfter(original, last);
       copy.setAttribute("start", String(isDivided ? next - step : next));
     }
-    if (!isDivided) break;
+    if (!isDivided || !last || !first) break;
     // Each goes on, and ids are of one element.
-    first?.removeAttribute("id");
-    first?.classList.add(continuedClass);
+    first.removeAttribute("id");
+    first.classList.add(continuedClass);
     [original, copy] = [last, first];
   }
   box.after(rest);
