@@ -7,7 +7,7 @@ import { tinyEpub } from "./tiny_epub.ts";
 closeBooks();
 
 const css =
-  ".new { break-before: page } .end { page-break-after: always } .low { margin-top: 40em }";
+  ".new { break-before: page } .end { page-break-after: always } .low { margin-top: 40em } .c::after { content: '' }";
 
 /** Words that fit on a page, one after the other. */
 const [one, two, three] = ["<p>one</p>", "<p>two</p>", '<p class="new">three</p>'];
@@ -36,6 +36,16 @@ test.each<[string, string, string[]]>([
     ["one", "two"],
   ],
   ["blank paragraphs", `${one}${"<p>&#160;</p>".repeat(90)}${two}`, ["one", "two"]],
+  ["ends of lines", `<p>one</p>${"<br/>".repeat(190)}${two}`, ["one", "two"]],
+  ["blank lines in a box", `${one}<div>${"<br/>".repeat(90)}</div>${two}`, ["one", "two"]],
+  ["ends of lines within one", `<p>one${"<br/>&#160;".repeat(190)}<br/>two</p>`, ["one", "two"]],
+  ["paragraphs of the end of a line", `${one}${"<p><br/></p>".repeat(90)}${two}`, ["one", "two"]],
+  [
+    "paragraphs of blank parts",
+    `${one}${'<p class="c"><span>&#160;</span><!-- c --> </p>'.repeat(90)}${two}`,
+    ["one", "two"],
+  ],
+  ["lines of a listing", `<pre>one${"\n \n".repeat(90)}two</pre>`, ["one", "two"]],
   ["room above the first words", `<h1 class="low">one</h1>${two}${three}`, ["one two", "three"]],
 ])("%s leave no page blank", async (_, body, pages) => {
   const source = await laidOut(tinyEpub({ chapters: [body], css }));
@@ -44,6 +54,11 @@ test.each<[string, string, string[]]>([
 
 test.each<[string, string, string[]]>([
   ["a blank line", `${one}<p class="new">&#160;</p>${three}`, ["one", "", "three"]],
+  [
+    "lines to write on",
+    `${one}<div class="new" style="border: 1px solid">${"<p>&#160;</p>".repeat(8)}</div>${three}`,
+    ["one", "", "three"],
+  ],
   [
     "a painted box",
     `${one}<div class="new" style="height: 50px; background: #ccc"></div>${three}`,

@@ -588,6 +588,10 @@ test.each([
   ],
   ["a box that is moved", '<p style="transform: translate(300px)">moved</p>'],
   ["a margin out of the page", `<p style="margin-left: -300px">${"word ".repeat(80)}</p>`],
+  [
+    "a margin of more than all of a line",
+    '<p style="margin-left: 700px">words behind a margin</p>',
+  ],
   ["a margin wider than a line", '<p style="margin: 0 400px">words between margins</p>'],
   [
     "an indent of more than all of a line",
@@ -814,4 +818,92 @@ test("a short text of horizontal lines among vertical ones stays so, and lies on
   expect(notes.length).toBeGreaterThan(2);
   expect(notes.filter(({ vertical }) => vertical)).toEqual([]);
   await expectDrawnAsLaid(source);
+});
+
+test.each(["horizontal-tb", "vertical-rl", "vertical-lr"])(
+  "a text of %s lines longer than a page, among others, is on several pages and lies on nothing",
+  async (mode) => {
+    const items = Array.from({ length: 12 }, (_, k) => `<li>item${k} ${"words ".repeat(30)}</li>`);
+    const long = `<p id="long">${"note ".repeat(600)}</p><ol>${items.join("")}</ol><p>last</p>`;
+    const other = mode === "horizontal-tb" ? "vertical-rl" : "horizontal-tb";
+    const source = await laidOutEpub({
+      chapters: [
+        `<div>${prose(20)}</div><div class="other">${long}</div><div>${prose(2)}after</div>`,
+      ],
+      css: `div { writing-mode: ${other} } .other { writing-mode: ${mode} } ol { list-style: none }`,
+    });
+    const runs = await Promise.all(
+      Array.from({ length: source.pageCount }, (_, k) => source.text?.(k, never) ?? []),
+    );
+    const others = runs.map((page) => page.filter(({ text }) => /note|words|last/.test(text)));
+    expect(others.filter(({ length }) => length > 0).length).toBeGreaterThan(2);
+    const isVertical = mode !== "horizontal-tb";
+    expect(others.flat().filter(({ vertical = false }) => vertical !== isVertical)).toEqual([]);
+    const text = letters((await pagesOf(source)).join(""));
+    expect(text.match(/note/g)?.length).toBe(600);
+    expect(text.match(/words/g)?.length).toBe(360);
+    expect(text).toContain("after");
+    await expectDrawnAsLaid(source);
+  },
+);
+
+const wideSvg = (attributes: string): string =>
+  `<svg xmlns="http://www.w3.org/2000/svg" ${attributes}><rect width="900" height="300" fill="#ddd"/><text x="820" y="280" font-size="40">end</text></svg>`;
+
+test.each<[string, string]>([
+  ["a drawing without a viewBox in a quotation", wideSvg('width="900" height="300"')],
+  [
+    "a drawing in a quotation",
+    wideSvg('viewBox="0 0 900 300" width="900" height="300" style="max-width: none"'),
+  ],
+  ["a box of a width of its own", '<div style="width: 370px; padding: 9px">end</div>'],
+  ["a box of a least width", '<div style="min-width: 370px">end</div>'],
+  [
+    "a box as wide as its words",
+    `<figure style="width: max-content">${"word ".repeat(40)}end</figure>`,
+  ],
+  [
+    "a table",
+    `<table><tr>${'<td style="min-width: 90px">a</td>'.repeat(4)}<td>end</td></tr></table>`,
+  ],
+])("%s that is indented ends where lines do", async (_, box) => {
+  const quotation = `<blockquote style="margin: 1em 3em"><ul><li>${box}</li></ul></blockquote>`;
+  for (const direction of ["ltr", "rtl"]) {
+    const body = `<div dir="${direction}">${quotation}</div><p>after</p>`;
+    const source = await laidOutEpub({ chapters: [body] });
+    const runs = (await source.text?.(0, never)) ?? [];
+    const end = runs.find(({ text }) => text.endsWith("end"));
+    expect(runs.at(-1)?.text).toBe("after");
+    expect(end && end.x + end.width).toBeLessThan(488 - 53 + 2);
+    expect(end?.x).toBeGreaterThan(53 - 2);
+  }
+});
+
+test("a box that is to reach into both margins does", async () => {
+  const box = `<div style="margin: 0 -30px; text-align: justify">${"word ".repeat(90)}</div>`;
+  const source = await laidOutEpub({ chapters: [`${box}<p>after</p>`] });
+  const [first] = (await source.text?.(0, never)) ?? [];
+  expect(first?.x).toBeCloseTo(53 - 30, 0);
+  expect(first && first.x + first.width).toBeCloseTo(488 - 53 + 30, 0);
+});
+
+test("a picture that is meant to stand in the margin does", async () => {
+  const bled = wideSvg('viewBox="0 0 900 300" style="width: 420px; margin: 0 -20px"');
+  const source = await laidOutEpub({ chapters: [`${bled}<p>after</p>`] });
+  const [end] = (await source.text?.(0, never)) ?? [];
+  expect(end?.text).toBe("end");
+  expect(end && end.x + end.width).toBeGreaterThan(435);
+});
+
+test("rows that are collapsed leave no room", async () => {
+  const heights = await Promise.all(
+    ["visibility: collapse", "display: none"].map(async (style) => {
+      const row = "<tr><td>row</td><td>words</td></tr>";
+      const rows = row.repeat(5) + row.replace("<tr>", `<tr style="${style}">`) + row.repeat(50);
+      const source = await laidOutEpub({ chapters: [`<table>${rows}</table><p>end</p>`] });
+      const runs = (await source.text?.(source.pageCount - 1, never)) ?? [];
+      return [source.pageCount, runs.at(-1)?.y];
+    }),
+  );
+  expect(heights[0]).toEqual(heights[1]);
 });

@@ -27,6 +27,7 @@ import {
   readSheets,
 } from "./clean_css.ts";
 import { resolveExtensions, resolveSwitches } from "./content_switches.ts";
+import { copyUses } from "./external_uses.ts";
 import { prepareFormulas } from "./formulas.ts";
 import { framePicture, frameSize } from "./frame_picture.ts";
 import { styleStandIn } from "./parse_markup.ts";
@@ -110,6 +111,14 @@ export async function cleanMarkup(
     const address = element.getAttribute("src") ?? "";
     if (address !== "") element.before(placeOfLost(element, "embedded", address, files));
   }
+  await copyUses(
+    root,
+    async (address) => (await files.framed?.(address).catch(() => null))?.root ?? null,
+    (use, address) => {
+      const drawing = use.closest("svg") ?? use;
+      drawing.before(placeOfLost(drawing, "image", address, files));
+    },
+  );
   placeScripted(root, files);
   await inlinePictures(root, files);
   for (const element of root.querySelectorAll(unshown)) element.remove();

@@ -73,3 +73,18 @@ export function pagesOf(
   }
   return { first, last };
 }
+
+/** Returns the box in whose lines an element stands: what is as wide as its own text gives it no room. */
+export function boxAround(element: Element): Element {
+  const view = element.ownerDocument.defaultView as Window;
+  let box = element.parentElement as Element;
+  while (box.parentElement && /^(inline|contents)$/.test(view.getComputedStyle(box).display)) {
+    box = box.parentElement;
+  }
+  return box;
+}
+
+/** Returns lengths of a computed style, CSS pixels; 0 for other values. */
+export function lengthsOf(style: CSSStyleDeclaration, ...names: readonly string[]): number[] {
+  return names.map((name) => Number.parseFloat(style.getPropertyValue(name)) || 0);
+}

@@ -25,9 +25,11 @@ const whole = /^(svg|math|ruby|tr|select|object|figure|img)$/;
 /** Elements before which a piece rather ends than elsewhere. */
 const beginning = /^(h[1-6]|hr|section|article)$/;
 
-/** What is before a piece in its container, for selectors that look back; and what it continues. */
+/** What is before a piece in its container, for selectors that look back. */
 const beforeClass = "turnleaf-before";
-const continuedClass = "turnleaf-continued";
+
+/** The class of a copy of an element that goes on with what is in that: it does not begin anew. */
+export const continuedClass = "turnleaf-continued";
 
 /** The style sheet for pieces. */
 export const pieceStyle: string = `
@@ -166,7 +168,7 @@ class Divider {
 }
 
 /** Returns the number of the item of a list that follows another. */
-function numberAfter(list: Element, last: Element): number {
+export function numberAfter(list: Element, last: Element): number {
   const isReversed = list.hasAttribute("reversed");
   const first = Number.parseInt(list.getAttribute("start") ?? "", 10);
   const step = isReversed ? -1 : 1;

@@ -4,10 +4,20 @@
  * boxes that are too wide are made narrower, or, if tables, turned onto pages of their own.
  */
 
-import type { PageSize } from "../page_source.ts";
-import { opened, type Styles, setStyles, tableParts, tolerance, widthOf } from "./box_styles.ts";
+import {
+  lengthsOf,
+  opened,
+  type Styles,
+  setStyles,
+  tableParts,
+  tolerance,
+  widthOf,
+} from "./box_styles.ts";
+import { isMoved } from "./frame.ts";
+import { splitCrossed } from "./split_crossed.ts";
 import { splitTable } from "./split_table.ts";
 import { boxesIn } from "./style_mentions.ts";
+import { type PageFlow, pageOfRect } from "./text_map.ts";
 
 /** Rounds of measuring and changing: a box that is opened shows those within it, at most so deep. */
 const rounds = 8;
@@ -24,23 +34,32 @@ const replaced = /^(img|video|canvas|object)$/;
 /** Controls that are drawn whole. */
 const drawnControl = /^(input|meter|progress)$/;
 
+/** How the pages of a section lie, and where the type area is on each: CSS pixels. */
+export interface PageArea {
+  readonly flow: PageFlow;
+  /** How long its lines are, and how much there is across them: of no end in a roll. */
+  readonly line: number;
+  readonly page: number;
+  /** Where lines begin, from the edge of the page at the left or, if they are vertical, at its head. */
+  readonly margin: number;
+}
+
 /**
  * Changes the styles of the boxes in a section that is set in columns, so that all of them fit.
  *
  * @param body the section's body, laid out
- * @param area the type area, CSS pixels
  * @param writingMode of the section: a box of another one does not break
  * @param known boxes that have been changed, which stay as they are
  */
 export function fitBoxes(
   body: Element,
-  area: PageSize,
+  area: PageArea,
   writingMode: string,
   known: WeakSet<Element>,
 ): void {
-  const isVertical = !writingMode.startsWith("horizontal");
+  const { line, page, flow } = area;
+  const { isVertical } = flow;
   const view = body.ownerDocument.defaultView as Window & typeof globalThis;
-  const [line, page] = isVertical ? [area.height, area.width] : [area.width, area.height];
   const range = body.ownerDocument.createRange();
   for (let round = 0; round < rounds; round++) {
     const changes: [HTMLElement, Styles][] = [];
@@ -53,11 +72,13 @@ export function fitBoxes(
       const rects = [...element.getClientRects()];
       if (rects.length === 0) continue;
       const isWhole = rects.length === 1;
-      const isHigh = isWhole && lengthsOf(rects[0] as DOMRect, isVertical).down > page + tolerance;
+      const isHigh = isWhole && extentOf(rects[0] as DOMRect, isVertical).down > page + tolerance;
       const isOverrun = !isWhole && hasItemsBeyond(element, rects, view, isVertical);
+      const isPast = isBeyond(element, rects, area);
       const isWide =
         isOverrun ||
-        widthOf(rects, isVertical) > line + tolerance ||
+        isPast ||
+        isLongerThan(line, element, rects, isVertical) ||
         (isWhole && isOverlong(element, isVertical));
       const isLined =
         isWhole || !/^(?:pre|nowrap)$/.test(view.getComputedStyle(element).whiteSpace);
@@ -82,7 +103,8 @@ export function fitBoxes(
       const isItem = grid !== null && view.getComputedStyle(grid).display.endsWith("grid");
       const box = isItem ? grid : element;
       const style = view.getComputedStyle(box);
-      const type = { line, page, isVertical };
+      const room = isPast ? Math.min(line, roomFrom(rects, area)) : line;
+      const type = { line: room, page, isVertical };
       const isNarrowed = isWide || !isLined;
       changes.push([
         box,
@@ -110,7 +132,7 @@ function isBesideFloat(
 ): boolean {
   if (rects.length < 2 || element.localName !== "table") return false;
   const width = widthOf(rects, isVertical);
-  return rects.some((rect) => width > lengthsOf(rect, isVertical).across + tolerance);
+  return rects.some((rect) => width > extentOf(rect, isVertical).across + tolerance);
 }
 
 /**
@@ -128,7 +150,7 @@ function hasItemsBeyond(
   const isReversed = direction === "rtl";
   const startOf = (rect: DOMRect): number =>
     isVertical ? (isReversed ? -rect.bottom : rect.top) : isReversed ? -rect.right : rect.left;
-  const endOf = (rect: DOMRect): number => startOf(rect) + lengthsOf(rect, isVertical).across;
+  const endOf = (rect: DOMRect): number => startOf(rect) + extentOf(rect, isVertical).across;
   for (const item of element.children) {
     if (view.getComputedStyle(item).position === "absolute") continue;
     for (const rect of item.getClientRects()) {
@@ -141,8 +163,89 @@ function hasItemsBeyond(
   return false;
 }
 
+/** Returns where the type area of a rectangle's page begins and ends along lines. */
+function edgesOf(rect: DOMRect, { flow, line, margin }: PageArea): readonly [number, number] {
+  const step = flow.isVertical ? flow.stepY : flow.stepX;
+  const start = pageOfRect(flow, rect) * step + margin;
+  return [start, start + line];
+}
+
+/** Returns where a rectangle begins and ends along lines. */
+function endsOf(rect: DOMRect, isVertical: boolean): readonly [number, number] {
+  return isVertical ? [rect.top, rect.bottom] : [rect.left, rect.right];
+}
+
+/**
+ * Returns whether a box begins or ends beyond the type area and what it is in, as one of a width of its own does
+ * that is indented. What is meant to stand in the margin has negative margins, or is moved.
+ */
+function isBeyond(element: HTMLElement, rects: readonly DOMRect[], area: PageArea): boolean {
+  const { isVertical } = area.flow;
+  const isPast = (rect: DOMRect): boolean => {
+    const [[from, to], [start, end]] = [endsOf(rect, isVertical), edgesOf(rect, area)];
+    // One that is for the most part elsewhere is put back as a whole.
+    const within = Math.min(to, end) - Math.max(from, start);
+    const isPartOf = within > (to - from) / 2;
+    return isPartOf && (from < start - tolerance || to > end + tolerance);
+  };
+  const past = rects.filter(isPast);
+  if (past.length === 0) return false;
+  const view = element.ownerDocument.defaultView as Window;
+  const style = view.getComputedStyle(element);
+  const isMeant =
+    style.position !== "static" ||
+    isMovedWithin(element) ||
+    lengthsOf(style, "margin-inline-start", "margin-inline-end").some((margin) => margin < 0);
+  if (isMeant || /^(?:inline|contents|table-.*)$/.test(style.display)) return false;
+  const around = [...(element.parentElement?.getClientRects() ?? [])];
+  return past.some((rect) => {
+    const [from, to] = endsOf(rect, isVertical);
+    return !around.some((one) => {
+      const [start, end] = endsOf(one, isVertical);
+      return from > start - tolerance && to < end + tolerance;
+    });
+  });
+}
+
+/** Returns whether a box is longer than a line, but for what it is to reach into the margins. */
+function isLongerThan(
+  line: number,
+  element: HTMLElement,
+  rects: readonly DOMRect[],
+  isVertical: boolean,
+): boolean {
+  const width = widthOf(rects, isVertical);
+  if (width <= line + tolerance) return false;
+  const view = element.ownerDocument.defaultView as Window;
+  const style = view.getComputedStyle(element);
+  const margins = lengthsOf(style, "margin-inline-start", "margin-inline-end");
+  return margins.reduce((sum, margin) => sum + Math.min(margin, 0), width) > line + tolerance;
+}
+
+/** Returns whether a box, or one that it is in, is moved after it is laid out. */
+function isMovedWithin(element: Element): boolean {
+  for (
+    let box: Element | null = element;
+    box && box.localName !== "body";
+    box = box.parentElement
+  ) {
+    if (isMoved(box)) return true;
+  }
+  return false;
+}
+
+/** Returns how much room there is from where a box begins to where lines end. */
+function roomFrom(rects: readonly DOMRect[], area: PageArea): number {
+  const rooms = rects.map((rect) => {
+    const [[from, to], [start, end]] = [endsOf(rect, area.flow.isVertical), edgesOf(rect, area)];
+    // From right to left it ends where it begins.
+    return from < start - tolerance ? to - start : end - from;
+  });
+  return Math.max(...rooms);
+}
+
 /** Returns how long a rectangle is along lines and across them. */
-function lengthsOf(
+function extentOf(
   { width, height }: DOMRect,
   isVertical: boolean,
 ): { across: number; down: number } {
@@ -203,7 +306,8 @@ function wholeChange(
 
 /**
  * Returns the styles by which a box whose lines stand across those around it fits on a page as it is, with lines
- * no longer than there is room for; null for others, and for one that has no room even so.
+ * no longer than there is room for, or on several, into which it is split; null for others, and for one that has
+ * no room even so.
  */
 function crossedChange(
   box: HTMLElement,
@@ -226,14 +330,21 @@ function crossedChange(
   const own = box.style.cssText;
   setStyles(box, shorter);
   const [rect, ...others] = box.getClientRects();
-  const { across, down } = lengthsOf(rect ?? new DOMRect(), isVertical);
+  const { across, down } = extentOf(rect ?? new DOMRect(), isVertical);
   const isFull =
     isOverlong(box, isVertical) ||
     isOverlong(box, !isVertical) ||
     isOverfull(box, [rect ?? new DOMRect()], box.ownerDocument.createRange());
-  box.style.cssText = own;
   const fits = across <= line + tolerance && down <= page + tolerance;
-  return rect && others.length === 0 && fits && !isFull ? shorter : null;
+  if (rect && others.length === 0 && fits && !isFull) {
+    box.style.cssText = own;
+    return shorter;
+  }
+  const paged = { ...shorter, "break-before": "column", "break-after": "column" };
+  setStyles(box, paged);
+  if (/^(?:block|flow-root)$/.test(style.display) && splitCrossed(box, line, paged)) return paged;
+  box.style.cssText = own;
+  return null;
 }
 
 /** Returns whether nothing is in a box, which shows its background alone. */
@@ -287,7 +398,7 @@ function narrowed(element: HTMLElement, style: CSSStyleDeclaration, area: TypeAr
     return fittedTable(element, area);
   }
   const change: Record<string, string> = {
-    ...{ "max-inline-size": "100%", "min-inline-size": "0" },
+    ...{ "max-inline-size": `min(100%, ${roomWithin(style, area)}px)`, "min-inline-size": "0" },
     ...{ "overflow-wrap": "break-word", "word-break": "normal" },
   };
   if (whiteSpace === "pre") change["white-space"] = "pre-wrap";
@@ -295,6 +406,19 @@ function narrowed(element: HTMLElement, style: CSSStyleDeclaration, area: TypeAr
   if (display.endsWith("flex")) change["flex-wrap"] = "wrap";
   if (display.endsWith("grid")) change.display = "block";
   return change;
+}
+
+/** Returns how long the lines in a box may be, CSS pixels, or the box itself if its size is that of all of it. */
+function roomWithin(style: CSSStyleDeclaration, { line }: TypeArea): number {
+  if (style.boxSizing === "border-box") return line;
+  const edges = lengthsOf(
+    style,
+    ...["padding-inline-start", "padding-inline-end"],
+    ...["border-inline-start-width", "border-inline-end-width"],
+  );
+  const room = line - edges.reduce((sum, length) => sum + length, 0);
+  // What is wider than that by its edges has these taken away.
+  return room > 0 ? room : line;
 }
 
 /** Returns the styles of a table that is as wide as a line: smaller, or turned, and else with broken words. */

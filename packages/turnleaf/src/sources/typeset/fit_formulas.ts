@@ -1,6 +1,6 @@
 /** Formulas that are wider than a line, which no browser breaks: they are smaller, and else broken between their parts. */
 
-import { type Styles, setStyles, tolerance, widthOf } from "./box_styles.ts";
+import { boxAround, type Styles, setStyles, tolerance, widthOf } from "./box_styles.ts";
 
 /** The smallest size of a formula, over its own; wider still, it is broken. */
 const smallest = 0.6;
@@ -29,15 +29,6 @@ export function fitFormulas(body: Element, isVertical: boolean): void {
     if (size < smallest) broken.push({ math, room });
   }
   for (const { math, room } of broken) breakUp(math, room, isVertical);
-}
-
-/** Returns the box whose lines a formula is in: what is as wide as its own text gives it no room. */
-function boxAround(math: Element): Element {
-  const view = math.ownerDocument.defaultView as Window;
-  let box = math.parentElement as Element;
-  while (box.parentElement && /^(inline|contents)$/.test(view.getComputedStyle(box).display))
-    box = box.parentElement;
-  return box;
 }
 
 /** Returns how wide a formula, or a part of one, is with all its parts, which may lie beyond its own box. */

@@ -19,6 +19,7 @@ const hiding = [
   "clip-path",
   "position",
   "content-visibility",
+  "visibility",
 ];
 
 /**
@@ -34,10 +35,16 @@ export function hideUnseen(body: Element, flow: PageFlow, mentions: StyleMention
     return [element, range].every((one) => isBefore(one.getBoundingClientRect(), flow));
   };
   const hidden: HTMLElement[] = [];
+  const collapsed: HTMLElement[] = [];
   for (const element of mentions.boxesWith(body, hiding)) {
     if (!(element instanceof view.HTMLElement)) continue;
     const style = view.getComputedStyle(element);
-    const { overflowX, overflowY, clip, clipPath, display, position, contentVisibility } = style;
+    const { overflowX, overflowY, clip, clipPath, display, position } = style;
+    const { contentVisibility, visibility } = style;
+    // In columns a browser keeps the room of such rows.
+    if (visibility === "collapse" && /^table-(?:row|(?:row|header|footer)-group)$/.test(display)) {
+      collapsed.push(element);
+    }
     const isShort =
       (overflowX !== "visible" && element.offsetWidth <= nothing) ||
       (overflowY !== "visible" && element.offsetHeight <= nothing);
@@ -50,6 +57,7 @@ export function hideUnseen(body: Element, flow: PageFlow, mentions: StyleMention
     const isAway = /^(?:absolute|fixed)$/.test(position) && liesBefore(element);
     if (isCut || isAway) hidden.push(element);
   }
+  for (const element of collapsed) setStyles(element, { display: "none" });
   for (const element of hidden) setStyles(element, { visibility: "hidden" });
 }
 

@@ -9,6 +9,7 @@ import { setStyles } from "./box_styles.ts";
 import { fitBoxes, fixCrossed } from "./fit_boxes.ts";
 import { fitDrawings } from "./fit_drawings.ts";
 import { fitFormulas } from "./fit_formulas.ts";
+import { fitPictures } from "./fit_pictures.ts";
 import { fitType } from "./fit_type.ts";
 import { type FlowContent, type LostPart, lostAttribute, sourceAttribute } from "./flow_book.ts";
 import { drawControls } from "./form_controls.ts";
@@ -37,6 +38,7 @@ import { type InitialLetter, type PageFlow, pageOfRect, TextMap } from "./text_m
 import { trimHeights } from "./trim_heights.ts";
 import { isTypeface, typefaceRules } from "./typefaces/typefaces.ts";
 import { baseStyle, columnStyle, fixedStyle, readerStyle, rollStyle } from "./typography.ts";
+import { uncoverText } from "./uncover_text.ts";
 import { writingOf } from "./writing_direction.ts";
 
 /** The root's type size, from which the book's own is reckoned. */
@@ -169,15 +171,20 @@ export async function laySection(
     frame.adopt(own);
   } else if (!content.size) {
     own.push(...inColumns);
+    const [line, across] = isVertical ? [area.height, area.width] : [area.width, area.height];
     // A roll has no ends that anything could be cut at.
     const ends = isSliced ? { height: Number.POSITIVE_INFINITY } : {};
+    const type = { line, page: isSliced ? Number.POSITIVE_INFINITY : across };
     const fitted = new WeakSet<Element>();
-    const fit = (): void => fitBoxes(body, { ...area, ...ends }, writingMode, fitted);
+    const margin = isVertical ? page.ends : page.sides;
+    const fit = (): void => {
+      fitPictures(body, flow, line);
+      fitBoxes(body, { flow, ...type, margin }, writingMode, fitted);
+      fitPictures(body, flow, line);
+    };
     drawControls(body);
     fitDrawings(body);
     resolveVariables(body, mentions);
-    const [line, across] = isVertical ? [area.height, area.width] : [area.width, area.height];
-    const type = { line, page: isSliced ? Number.POSITIVE_INFINITY : across };
     fitType(body as HTMLElement, type, mentions.sheets);
     initials = initialLetters(body, type, mentions);
     hideUnseen(body, flow, mentions);
@@ -185,6 +192,7 @@ export async function laySection(
     keepWords(body, flow, line, mentions);
     fit();
     fitFormulas(body, isVertical);
+    if (uncoverText(body, flow, mentions)) fit();
     if (placeBoxes(frame, body, flow, { ...page, ...ends }, mentions, fitted)) fit();
     if (!isSliced) {
       trimHeights(body, flow, area);

@@ -56,6 +56,18 @@ test("pages have a running head and a number, the first of a chapter a number al
   expect(await inkIn(source, dedication - 1)).toEqual([0, 0]);
 });
 
+test("pages of a table whose caption and foot are written first have numbers", async () => {
+  const rows = "<tr><td>row</td><td>of a table</td></tr>".repeat(90);
+  const foot = "<tfoot><tr><td>foot</td></tr></tfoot>";
+  const caption = '<caption style="caption-side: bottom">below</caption>';
+  const source = await opened([`<table>${caption}${foot}${rows}</table>`]);
+  await source.settle();
+  expect(source.pageCount).toBeGreaterThan(2);
+  for (let page = 0; page < source.pageCount - 1; page++) {
+    expect((await inkIn(source, page))[1]).toBeGreaterThan(0);
+  }
+});
+
 test("they are as large whatever the size of the type, and absent from margins without room", async () => {
   const source = await opened([prose(60)]);
   const usual = await inkIn(source, 2);

@@ -6,6 +6,7 @@ import { formulaAttribute } from "../markup/formulas.ts";
 import { xmlOf } from "../markup/xml.ts";
 import type { PageBox, TextRun } from "../page_source.ts";
 import { writtenIn } from "./letter_forms.ts";
+import { inPageOrder } from "./page_order.ts";
 import { repeatedAttribute } from "./split_table.ts";
 import type { StyleMentions } from "./style_mentions.ts";
 
@@ -47,7 +48,10 @@ export function pageOfRect({ stepX, stepY }: PageFlow, rect: DOMRect): number {
 
 /** The text of one section. */
 export class TextMap {
-  /** The number of characters before each page; that of the next one for a page without text. */
+  /**
+   * The number of characters before each page; that of the next one for a page without text, or with text alone
+   * that is written elsewhere than it stands.
+   */
   readonly starts: readonly number[];
   /** The number of all characters. */
   readonly length: number;
@@ -70,21 +74,20 @@ export class TextMap {
     this.#flow = flow;
     this.#initials = initials;
     this.#range = body.ownerDocument.createRange();
-    const starts: (number | undefined)[] = Array.from({ length: pageCount });
     const pieces: Piece[] = [];
     let offset = 0;
     for (const node of textNodes(body, mentions.has(["visibility"]))) {
-      const length = lengthOf(node);
       const piece = this.#pieceOf(node, offset, pageCount);
-      if (piece) {
-        pieces.push(piece);
-        for (let page = piece.first; page <= piece.last; page++) {
-          const within = page === piece.first ? 0 : this.#firstOn(node as Text, page);
-          const before = within === 0 ? 0 : countOf((node as Text).data.slice(0, within));
-          starts[page] ??= offset + before;
-        }
+      if (piece) pieces.push(piece);
+      offset += lengthOf(node);
+    }
+    const starts: (number | undefined)[] = Array.from({ length: pageCount });
+    for (const piece of inPageOrder(pieces, ({ node }) => lengthOf(node))) {
+      for (let page = piece.first; page <= piece.last; page++) {
+        const within = page === piece.first ? 0 : this.#firstOn(piece.node as Text, page);
+        const before = within === 0 ? 0 : countOf((piece.node as Text).data.slice(0, within));
+        starts[page] ??= piece.offset + before;
       }
-      offset += length;
     }
     for (let page = pageCount - 1, next = offset; page >= 0; page--) {
       next = Math.min(starts[page] ?? next, next);

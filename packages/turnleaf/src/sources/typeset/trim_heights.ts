@@ -47,8 +47,8 @@ export function trimHeights(body: Element, flow: PageFlow, area: PageSize): void
       "min-block-size": isOnOne ? `${page - tolerance}px` : "0",
       "box-sizing": "border-box",
       ...(isOnOne ? { "break-inside": "avoid" } : {}),
-      // Room alone ends its page.
-      ...(content.length === 0 ? { "break-after": "column" } : {}),
+      // Room alone ends its page; blank lines are not only that.
+      ...(content.length === 0 && !element.querySelector("br") ? { "break-after": "column" } : {}),
     });
   }
 }
