@@ -18,6 +18,7 @@ import { parseArgs } from "node:util";
 import { chromium } from "playwright-core";
 import { chromiumArguments, findChromium } from "../../scripts/chromium.mjs";
 import { markdown } from "../../scripts/docs_tables.mjs";
+import { randomNumbers } from "../../scripts/random_numbers.mjs";
 import { serve } from "../../scripts/reader_page.mjs";
 
 const { values, positionals } = parseArgs({
@@ -33,17 +34,6 @@ const books = positionals.flatMap((path) =>
   statSync(path).isDirectory() ? readdirSync(path).map((name) => join(path, name)) : [path],
 );
 if (books.length === 0) throw new Error("Name books, or a folder of them.");
-
-/** Numbers from 0 to 1 by a seed (mulberry32). */
-function randomBy(seed) {
-  let state = seed;
-  return () => {
-    state = (state + 0x6d2b79f5) | 0;
-    let mixed = Math.imul(state ^ (state >>> 15), 1 | state);
-    mixed = (mixed + Math.imul(mixed ^ (mixed >>> 7), 61 | mixed)) ^ mixed;
-    return ((mixed ^ (mixed >>> 14)) >>> 0) / 2 ** 32;
-  };
-}
 
 const sizes = [
   { width: 1280, height: 800 },
@@ -96,7 +86,7 @@ function isSame(before, after) {
   return before.text || after.text ? before.text === after.text : before.page === after.page;
 }
 
-const random = randomBy(seed);
+const random = randomNumbers(seed);
 const browser = await chromium.launch({
   executablePath: findChromium(),
   args: [...chromiumArguments, ...(values.flat ? ["--disable-3d-apis"] : [])],

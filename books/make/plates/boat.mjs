@@ -1,6 +1,8 @@
 /** A whaleboat, fast to a whale: six men, the line taut over the bow, the sea torn up. */
+
+import { randomNumbers } from "../../../scripts/random_numbers.mjs";
 import { between, box, clamp, lerp, pts, smooth, spline } from "./curves.mjs";
-import { noise, stream } from "./noise.mjs";
+import { noise } from "./noise.mjs";
 import { sea } from "./sea.mjs";
 import { heaped, sky } from "./sky.mjs";
 
@@ -85,7 +87,7 @@ function quarry(graver) {
       (t) => 0.75 * Math.sin(Math.PI * t),
     );
   }
-  const random = stream(2);
+  const random = randomNumbers(2);
   for (let k = 0; k < 34; k++) {
     const lean = -9 + random() * 24;
     const up = 24 + random() * 22;
@@ -245,7 +247,7 @@ function standing(graver, x, y, man) {
 
 /** Water thrown from the bow in sheets: white line over the dark. */
 function bowWave(graver) {
-  const random = stream(11);
+  const random = randomNumbers(11);
   graver.dip(graver.ground);
   for (let k = 0; k < 120; k++) {
     const [x, y] = put([84 - random() * 46, -3 + random() * 7]);

@@ -1,6 +1,8 @@
 /** The frontispiece: the white whale, mouth agape, thrown half out of a black sea. */
+
+import { randomNumbers } from "../../../scripts/random_numbers.mjs";
 import { between, box, clamp, distance, lerp, pts, smooth, spline } from "./curves.mjs";
-import { noise, stream } from "./noise.mjs";
+import { noise } from "./noise.mjs";
 import { fleck, sea } from "./sea.mjs";
 import { heaped, sky } from "./sky.mjs";
 
@@ -211,7 +213,7 @@ function flipper(graver) {
 
 /** Spray is white line: streaks of bare paper thrown up across what was cut before. */
 function spray(graver, foot) {
-  const random = stream(20);
+  const random = randomNumbers(20);
   graver.dip(graver.ground);
   for (let k = 0; k < 190; k++) {
     const side = k % 5 < 2 ? 1 : -1;
@@ -246,7 +248,7 @@ function spray(graver, foot) {
     );
   }
   graver.dip(graver.ink);
-  const lines = stream(3);
+  const lines = randomNumbers(3);
   for (let k = 0; k < 46; k++) {
     const x = 118 + lines() * 150;
     const y = foot - lines() * 9;

@@ -1,8 +1,10 @@
 /** A chart of Nantucket: the coast with its water lines, rhumbs, shoals and a rose. */
+
+import { randomNumbers } from "../../../scripts/random_numbers.mjs";
 import { drawWhale } from "../whale.mjs";
 import { coastDistance, isolines, sample } from "./contours.mjs";
 import { box, circle, clamp, inside, pts, smooth, spline } from "./curves.mjs";
-import { noise, stream } from "./noise.mjs";
+import { noise } from "./noise.mjs";
 
 // Longitude west and latitude north of points of the coast, in thousandths of a degree
 // after 69 and 41: Great Point, the outer shore southabout, Madaket, the harbour, Coatue.
@@ -88,7 +90,7 @@ function waterLines(graver, lands, wide, high) {
 function island(graver, land) {
   graver.clear(land);
   graver.within(land, () => {
-    const random = stream(land.length);
+    const random = randomNumbers(land.length);
     // Short cuts of grass on sand hills, thicker inland.
     for (let k = 0; k < 520; k++) {
       const x = 14 + random() * 262;
@@ -143,7 +145,7 @@ function shoals(graver) {
       const r = 1 + 0.22 * (noise(k / 5, cx, 6) - 0.5);
       graver.fill(circle(cx + rx * r * Math.cos(a), cy + ry * r * Math.sin(a), 0.4, 6));
     }
-    const random = stream(Math.round(cx));
+    const random = randomNumbers(Math.round(cx));
     for (let k = 0; k < 34; k++) {
       const a = random() * 6.283;
       const r = Math.sqrt(random()) * 0.85;

@@ -1,6 +1,8 @@
 /** The flukes of a sounding whale over a following sea, water pouring from them. */
+
+import { randomNumbers } from "../../../scripts/random_numbers.mjs";
 import { between, box, clamp, lerp, pts, smooth, spline } from "./curves.mjs";
-import { noise, stream } from "./noise.mjs";
+import { noise } from "./noise.mjs";
 import { fleck, sea } from "./sea.mjs";
 import { heaped, sky } from "./sky.mjs";
 
@@ -112,7 +114,7 @@ function tail(graver) {
 
 /** Water falls in threads from the trailing edges, and smokes where it strikes. */
 function pour(graver) {
-  const random = stream(60);
+  const random = randomNumbers(60);
   for (const side of [-1, 1]) {
     const edge = lobe(side)(spline(LEADING.slice(3)));
     for (let k = 0; k < 46; k++) {

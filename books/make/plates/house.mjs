@@ -1,6 +1,8 @@
 /** The inn itself: clapboards, sashes, icicles, and the sign that swings before it. */
+
+import { randomNumbers } from "../../../scripts/random_numbers.mjs";
 import { box, clamp, pts, smooth, spline, straight } from "./curves.mjs";
-import { noise, stream } from "./noise.mjs";
+import { noise } from "./noise.mjs";
 
 /** Snow lies along a roof: a band of bare paper. */
 export function snowLine(graver, roof, deep) {
@@ -111,7 +113,7 @@ function roof(graver) {
     graver.swell(straight(a, b), () => 2.4);
   }
   // Icicles.
-  const random = stream(9);
+  const random = randomNumbers(9);
   for (let k = 1; k < 16; k++) {
     for (const side of [-1, 1]) {
       const x = 213 + side * k * 5;

@@ -1,7 +1,9 @@
 /** The Spouter-Inn on a night of hard frost: a gable, a swinging sign, one lamp. */
+
+import { randomNumbers } from "../../../scripts/random_numbers.mjs";
 import { box, circle, clamp, distance, lerp, pts, smooth, spline, straight } from "./curves.mjs";
 import { house, sign, snowLine } from "./house.mjs";
-import { noise, stream } from "./noise.mjs";
+import { noise } from "./noise.mjs";
 import { sky } from "./sky.mjs";
 
 const LAMP = [38, 204];
@@ -35,7 +37,7 @@ function night(graver, wide) {
       return clamp(0.76 + drift - 0.2 * smooth(120, 310, y) - 0.75 * glow(x, y, 62), 0.06, 0.9);
     },
   });
-  const random = stream(14);
+  const random = randomNumbers(14);
   for (let k = 0; k < 26; k++) {
     const [x, y] = [random() * 150, 8 + random() * 110];
     const r = 0.5 + random() ** 4 * 1.1;
@@ -227,7 +229,7 @@ function snow(graver, wide, high) {
 }
 
 function flakes(graver, wide, high) {
-  const random = stream(41);
+  const random = randomNumbers(41);
   for (let k = 0; k < 210; k++) {
     const [x, y] = [random() * wide, random() * high];
     graver.fill(circle(x, y, 0.45 + 0.75 * random() ** 2, 7), graver.ground);

@@ -1,6 +1,8 @@
 /** The lighthouse alone on its rock, its light thrown out over a heavy sea. */
+
+import { randomNumbers } from "../../../scripts/random_numbers.mjs";
 import { between, box, circle, clamp, lerp, pts, smooth, spline, straight } from "./curves.mjs";
-import { noise, stream } from "./noise.mjs";
+import { noise } from "./noise.mjs";
 import { fleck, sea } from "./sea.mjs";
 import { heaped, sky } from "./sky.mjs";
 
@@ -295,7 +297,7 @@ function rocks(graver) {
 
 /** Seas that break on the rock: sheets of white thrown up on either hand. */
 function breakers(graver) {
-  const random = stream(15);
+  const random = randomNumbers(15);
   graver.dip(graver.ground);
   for (let k = 0; k < 210; k++) {
     const side = k % 3 ? -1 : 1;

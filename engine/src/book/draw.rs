@@ -39,8 +39,9 @@ const STEPS: u8 = 2;
 /// that separating and searching took, nanoseconds.
 pub fn draw(order: &mut [Flight], piles: [&Pile; 2], last: [&Pile; 2]) -> (bool, u32) {
     let are_few = order.len() <= FEW;
-    for flight in order.iter_mut() {
-        flight.draw(piles, last, are_few);
+    for index in 0..order.len() {
+        let over = over_piles(order, index);
+        order[index].draw(piles, over, last, are_few);
     }
     if has_folds(order) {
         order.iter_mut().for_each(Flight::find_parts);

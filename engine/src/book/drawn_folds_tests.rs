@@ -99,12 +99,12 @@ fn parts_that_are_moved_off_each_other_are_not_drawn_in_the_piles() {
     let mut random = Random::new(1);
     for degrees in [170.0, -170.0] {
         let [mut flight, mut other] = [0, 1].map(|_| folded(&u, degrees));
-        other.draw([right, left], [right, left], false);
+        other.draw([right, left], [0.0; 2], [right, left], false);
         other.find_parts();
         for picture in 0..100 {
             let page = random.between(0.0, PI);
             bend(&mut flight, [page, page + PI + random.between(-0.2, 0.2)]);
-            flight.draw([right, left], [right, left], false);
+            flight.draw([right, left], [0.0; 2], [right, left], false);
             flight.find_parts();
             let next = Some((&other, Side::Right));
             flight.separate_folded(next, [right, left], [0.0; 2], &mut Work::new(0));
@@ -123,7 +123,7 @@ fn rounds_of_moving_parts_are_bounded_where_no_work_is_left() {
     let mut flight = folded(&crowded_columns(right.columns()), 170.0);
     for _ in 0..2 {
         bend(&mut flight, [0.5 * PI, 1.5 * PI + 0.1]);
-        flight.draw([right, left], [right, left], false);
+        flight.draw([right, left], [0.0; 2], [right, left], false);
     }
     let mut separate = || {
         let work = &mut Work::new(0);
@@ -143,7 +143,7 @@ fn a_leaf_that_is_held_back_turns_with_its_paper_and_keeps_its_lengths() {
     let mut flight = folded(&crowded_columns(right.columns()), 170.0);
     let [flat, half] = [0.3, 0.5 * PI];
     bend(&mut flight, [flat, flat + 0.5]);
-    flight.draw([right, left], [right, left], false);
+    flight.draw([right, left], [0.0; 2], [right, left], false);
     flight.show();
     let lengths = |flight: &Flight| -> Vec<f32> {
         let points = flight.surface().positions.as_chunks::<3>().0;
@@ -156,7 +156,7 @@ fn a_leaf_that_is_held_back_turns_with_its_paper_and_keeps_its_lengths() {
     };
     let before = lengths(&flight);
     bend(&mut flight, [half, half - 0.5]);
-    flight.draw([right, left], [right, left], false);
+    flight.draw([right, left], [0.0; 2], [right, left], false);
     flight.draw_last();
     let last = flight.lag();
     flight.draw_carried();
@@ -179,7 +179,7 @@ fn a_leaf_that_comes_out_of_a_pile_is_held_back_as_its_page() {
         let heights = free.map(|[x, _, z]| z - right.height(*x));
         heights.fold(0.0, |most: f32, height| most.max(height.abs()))
     };
-    flight.draw([right, left], [right, left], false);
+    flight.draw([right, left], [0.0; 2], [right, left], false);
     assert!(over(&flight) > 1e-3, "{} m", over(&flight));
     flight.draw_last();
     assert!(over(&flight) < SLIVER, "{} m", over(&flight));

@@ -307,4 +307,18 @@ mod tests {
     fn a_letter_that_is_folded_again_is_not_drawn_through_itself() {
         is_clear(50, "letter, folded again, coated, 140 x 210 mm");
     }
+
+    /// A jump over pages folded three times, which come to lie upon each other as packets. To move their
+    /// layers apart took the work that the leaves over them needed, and two of three pictures were behind.
+    #[test]
+    fn leaves_that_fly_over_packets_are_drawn_where_their_paper_is() {
+        let report = Report::of(36..37, &[], 1).expect("it is played");
+        assert_eq!(
+            report.worst[0].1,
+            "zigzag, jumped over by 12, board, 210 x 297 mm"
+        );
+        let all = serde_json::to_value(&report.all).expect("they are figures");
+        let behind = all["behind_percent"].as_f64().expect("it is a number");
+        assert!(behind < 20.0, "{behind} % of the pictures are behind");
+    }
 }

@@ -24,9 +24,17 @@ impl Flight {
     }
 
     /// Draws the leaf as it is now, or as it is [overridden](Self::override_surface), between the piles
-    /// (right and left); `needs_crossing_test` says that it may be drawn through a neighbour. `last` are the
-    /// piles that were drawn last.
-    pub fn draw(&mut self, [right, left]: [&Pile; 2], last: [&Pile; 2], needs_crossing_test: bool) {
+    /// (right and left), so far over each where it is a packet, metres for a page 0.14 m wide;
+    /// `needs_crossing_test` says that it may be drawn through a neighbour. `last` are the piles that were
+    /// drawn last.
+    pub fn draw(
+        &mut self,
+        piles: [&Pile; 2],
+        over: [f32; 2],
+        last: [&Pile; 2],
+        needs_crossing_test: bool,
+    ) {
+        let [right, left] = piles;
         self.clear_of = [None; 2];
         self.rounds = 0;
         self.parts.forget();
@@ -68,6 +76,7 @@ impl Flight {
         }
         self.surface.update_normals();
         self.find_turned_over();
+        self.lift_packet(piles, over);
         if self.shown.is_empty() || self.packet().is_some() {
             // What is drawn of others next to it may have it drawn so for as long as they move; and the
             // layers of a packet lie off each other before they move as one.

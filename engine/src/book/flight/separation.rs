@@ -74,13 +74,18 @@ impl Flight {
     pub fn push_off_piles(&mut self, piles: [&Pile; 2], over: [f32; 2], work: &mut Work) {
         self.revision += 1;
         let over = Over::of(over, self.scale());
-        let before = self.packet().map(|_| self.surface.positions.clone());
-        push_off(&mut self.surface.positions, piles, over);
-        if let Some(before) = before {
-            self.move_as_one(&before);
-        }
+        self.push_off(piles, over, false);
         self.separate_own_parts(ROUNDS, work);
         self.keep_off_piles(piles, over);
+    }
+
+    /// Lifts a packet over the piles (right and left), so far over each, metres for a page 0.14 m wide,
+    /// before its layers are moved off each other: what lifts it point by point brings them together, and to
+    /// move them apart once others are met takes as much work as these.
+    pub(super) fn lift_packet(&mut self, piles: [&Pile; 2], over: [f32; 2]) {
+        if self.packet().is_some() {
+            self.keep_off_piles(piles, Over::of(over, self.scale()));
+        }
     }
 
     /// Its layers once its folds are shut, as one packet.
@@ -99,10 +104,20 @@ impl Flight {
 
     /// Pushes points and edges out of the piles (right and left), so far over each.
     fn keep_off_piles(&mut self, piles: [&Pile; 2], over: Over) {
+        self.push_off(piles, over, !matches!(self.phase(), Phase::Resting(_)));
+    }
+
+    /// Pushes points out of the piles (right and left), so far over each, and if true edges; the layers of
+    /// a packet move as one.
+    fn push_off(&mut self, piles: [&Pile; 2], over: Over, with_edges: bool) {
+        let before = self.packet().map(|_| self.surface.positions.clone());
         push_off(&mut self.surface.positions, piles, over);
-        if !matches!(self.phase(), Phase::Resting(_)) {
+        if with_edges {
             let folds = folds(self.creased.as_ref(), &self.turned_over);
             push_edges_off(&mut self.surface.positions, folds, piles, over);
+        }
+        if let Some(before) = before.filter(|before| *before != self.surface.positions) {
+            self.move_as_one(&before);
         }
     }
 
@@ -168,20 +183,12 @@ impl Flight {
             PlacedBlocks::of(&other)
         });
         let covered = neighbour.map_or(Vec::new(), |(_, side)| self.covered_on(side).to_vec());
-        // Where the points of a packet were when it moved last.
-        let mut last = self.packet().map(|_| before.clone());
         // A round looks only at what moved since the one before it.
         let (mut is_clear, mut is_covered, mut crosses) = (false, false, false);
         let mut is_resolved = false;
         for _ in 0..ROUNDS {
             self.keep_off_piles(piles, over);
-            if let Some(last) = &last {
-                self.move_as_one(last);
-            }
             let are_parts_clear = !self.is_creased() || !self.separate_own_parts(1, work);
-            if let Some(last) = &mut last {
-                last.clone_from(&self.surface.positions);
-            }
             if let (Some((neighbour, side)), Some(placed)) = (neighbour, &mut placed) {
                 if work.is_spent() {
                     is_clear = false;
@@ -197,6 +204,7 @@ impl Flight {
                     scale,
                     parts: self.flap_order[slot],
                 };
+                let last = self.packet().map(|_| self.surface.positions.clone());
                 let mut own = MovedLeaf {
                     points: self.surface.positions.as_chunks_mut::<3>().0,
                     parts: &self.parts,
@@ -208,9 +216,8 @@ impl Flight {
                 crosses |= outcome == Outcome::Crosses;
                 is_clear = outcome <= Outcome::Covered;
                 is_covered |= outcome == Outcome::Covered;
-                if let Some(last) = last.as_mut().filter(|_| outcome >= Outcome::Moved) {
-                    self.move_as_one(last);
-                    last.clone_from(&self.surface.positions);
+                if let Some(last) = last.filter(|_| outcome >= Outcome::Moved) {
+                    self.move_as_one(&last);
                 }
             }
             is_resolved = are_parts_clear && (is_clear || neighbour.is_none());
