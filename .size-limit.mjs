@@ -66,7 +66,7 @@ const apart = [
     // Alignment, division of words, running heads and folios; tables that are turned and split, switches; XZ.
     // Packages, contents and chapters however they are written. What lies beyond its page, formulas, heights.
     // What files are that are not opened, links in tars, what several programs write of a comic.
-    271,
+    278,
     `${readers().join(" ")} budget clean_markup data_url file_paths font_type html_pages legacy_names media_overlays names package_document parse_markup svg unpacker unpacker_worker.ts writing_direction decode_text`,
   ),
   part("decodes TIFF and JPEG 2000", 60, "rare_images rare_size tiff_pages decoder_worker.ts"),

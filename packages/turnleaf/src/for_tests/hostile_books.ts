@@ -210,7 +210,6 @@ const long: Readonly<Record<string, string>> = {
   "thick lines about letters": `<p style="-webkit-text-stroke: 10000px red">${"word ".repeat(3000)}</p>`,
   "a word of 400,000 letters": `<p>${"w".repeat(400_000)}</p>`,
   "a paragraph that changes its direction": `<p>${"a \u05d0 ".repeat(50_000)}</p>`,
-  "a hundred thousand lines": `${"<hr/>".repeat(100_000)}<p>Here.</p>`,
 };
 
 /** A book by its name, as a file. */

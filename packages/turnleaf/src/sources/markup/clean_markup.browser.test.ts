@@ -107,3 +107,10 @@ test("a background that is an address is left out", async () => {
   expect(text).toContain("A</td>");
   expect(text).not.toContain("background");
 });
+
+test("more nodes beside each other than a function takes arguments are all there", async () => {
+  const count = 150_000;
+  for (const body of ["<br/>".repeat(count), `<noscript>${"<br/>".repeat(count)}</noscript>`]) {
+    expect((await cleaned(body, "application/xhtml+xml")).split("<br").length - 1).toBe(count);
+  }
+});

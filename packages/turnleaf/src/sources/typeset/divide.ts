@@ -15,9 +15,10 @@ const elementLength = 50;
  */
 const mostLines = 1000;
 
-/** Where text that runs to the left is followed by some that runs to the right: a part of its line each. */
-const turn =
-  /[\u0590-\u08ff\ufb1d-\ufdff\ufe70-\ufefc][^\p{L}]*(?=[\p{sc=Latin}\p{sc=Greek}\p{sc=Cyrillic}])/gu;
+/** Text that runs to the left, and words of scripts that run to the right. */
+const rightToLeft = /[\u0590-\u08ff\ufb1d-\ufdff\ufe70-\ufefc]/;
+const directed =
+  /[\u0590-\u08ff\ufb1d-\ufdff\ufe70-\ufefc]+|[\p{sc=Latin}\p{sc=Greek}\p{sc=Cyrillic}]+/gu;
 
 /** Elements that are not divided, however much is in them. */
 const whole = /^(svg|math|ruby|tr|select|object|figure|img)$/;
@@ -56,7 +57,7 @@ export function divide(root: Element): readonly Element[] {
 /** Returns how much a node counts; remembers it for all elements in it. */
 function lengthOf(node: Node, lengths: Map<Node, number>): number {
   if (node instanceof Text) {
-    const turns = node.data.match(turn)?.length ?? 0;
+    const turns = turnsIn(node.data);
     const length = node.data.length + turns * elementLength;
     if (turns > 0) lengths.set(node, length);
     return length;
@@ -73,6 +74,18 @@ function lengthOf(node: Node, lengths: Map<Node, number>): number {
   }
   lengths.set(node, length);
   return length;
+}
+
+/** Returns how often a text changes its direction: a browser sets each part of a line by itself. */
+function turnsIn(text: string): number {
+  if (!rightToLeft.test(text)) return 0;
+  let [turns, wasLeft] = [0, false];
+  for (const [word] of text.matchAll(directed)) {
+    const isLeft = rightToLeft.test(word);
+    if (isLeft !== wasLeft) turns++;
+    wasLeft = isLeft;
+  }
+  return turns;
 }
 
 class Divider {

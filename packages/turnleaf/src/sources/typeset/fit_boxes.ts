@@ -236,12 +236,11 @@ function isMovedWithin(element: Element): boolean {
 
 /** Returns how much room there is from where a box begins to where lines end. */
 function roomFrom(rects: readonly DOMRect[], area: PageArea): number {
-  const rooms = rects.map((rect) => {
+  return rects.reduce((most, rect) => {
     const [[from, to], [start, end]] = [endsOf(rect, area.flow.isVertical), edgesOf(rect, area)];
     // From right to left it ends where it begins.
-    return from < start - tolerance ? to - start : end - from;
-  });
-  return Math.max(...rooms);
+    return Math.max(most, from < start - tolerance ? to - start : end - from);
+  }, Number.NEGATIVE_INFINITY);
 }
 
 /** Returns how long a rectangle is along lines and across them. */
