@@ -12,8 +12,19 @@ const inValue = /url\(\s{0,9}["']?#([^"')]{1,200})/g;
 /** Returns what finds ids in an attribute's value. */
 const idsOf = ({ localName }: Attr): RegExp => (localName === "href" ? inAddress : inValue);
 
-/** Files of which parts are used by one chapter, at most. */
+/** Files of which parts are used by one chapter, at most; and parts to which one refers, one after another. */
 const mostFiles = 50;
+const mostParts = 500;
+
+/** Another file of a book, of which a chapter uses parts. */
+interface UsedFile {
+  /** Its markup; null if there is none. */
+  readonly root: Element | null;
+  /** What the ids of its parts begin with in the chapter. */
+  readonly prefix: string;
+  /** Parts with those to which they refer, as they are found. */
+  readonly parts: Map<Element, readonly Element[]>;
+}
 
 /**
  * Copies what drawings use of other files into them.
@@ -26,19 +37,21 @@ export async function copyUses(
   load: (address: string) => Promise<Element | null>,
   lose: (use: Element, address: string) => void,
 ): Promise<void> {
-  const files = new Map<string, { readonly root: Element | null; readonly prefix: string }>();
+  const files = new Map<string, UsedFile>();
   let left: number = limits.elements;
   for (const use of root.querySelectorAll("use")) {
     const address = (use.getAttribute("href") ?? use.getAttributeNS(xlink, "href") ?? "").trim();
     if (address === "" || address.startsWith("#")) continue;
     const [path = "", id = ""] = address.split("#");
     if (!files.has(path) && files.size < mostFiles) {
-      files.set(path, { root: await load(path), prefix: `turnleaf-use-${files.size}-` });
+      const prefix = `turnleaf-use-${files.size}-`;
+      files.set(path, { root: await load(path), prefix, parts: new Map() });
     }
     const file = files.get(path);
     const drawing = use.closest("svg");
     const part = file?.root ? partOf(file.root, decoded(id)) : null;
-    const parts = file?.root && part ? partsFor(part, file.root) : [];
+    const parts = file?.root && part ? (file.parts.get(part) ?? partsFor(part, file.root)) : [];
+    if (part) file?.parts.set(part, parts);
     left -= parts.reduce((sum, one) => sum + one.getElementsByTagName("*").length + 1, 0);
     if (!file || !drawing || parts.length === 0 || left < 0) {
       lose(use, address);
@@ -73,7 +86,7 @@ function partOf(root: Element, id: string): Element | null {
   return drawing;
 }
 
-/** Returns a part of a file, and those to which it refers and that are not in it. */
+/** Returns a part of a file, and those to which it refers and that are not in it; none where those are too many. */
 function partsFor(part: Element, root: Element): readonly Element[] {
   const parts = new Set([part]);
   for (const one of parts) {
@@ -81,6 +94,7 @@ function partsFor(part: Element, root: Element): readonly Element[] {
       const other = root.querySelector(`[id="${CSS.escape(id)}"]`);
       const isWithin = other === null || [...parts].some((known) => known.contains(other));
       if (!isWithin && !other.contains(part)) parts.add(other);
+      if (parts.size > mostParts) return [];
     }
   }
   return [...parts];
