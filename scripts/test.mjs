@@ -3,13 +3,11 @@
  *
  *   node scripts/test.mjs [rust] [js] [--write-work]
  *
- * Every part runs, so that one failure does not hide another. Rust's compiler leaves one of two cores
- * idle for half of its time, so Rust runs beside the others, and what it says comes when it has ended.
- * Of each project of vitest is printed how long its files took, added up: some projects run side by
- * side. `--write-work` writes the work that the files of browser tests counted into the table that
- * bounds it.
+ * Every part runs, so that one failure does not hide another. Of each project of vitest is printed how
+ * long its files took, added up: some projects run side by side. `--write-work` writes the work that
+ * the files of browser tests counted into the table that bounds it.
  */
-import { spawn } from "node:child_process";
+import { spawnSync } from "node:child_process";
 import { mkdtempSync, readFileSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
@@ -35,16 +33,37 @@ const parts = {
 /** Files that are named with their times. */
 const slowest = 10;
 
-const named = process.argv.slice(2).filter((part) => part in parts);
-const asked = named.length > 0 ? named : Object.keys(parts);
+const asked = process.argv.slice(2).filter((part) => part in parts);
 const writesWork = process.argv.includes("--write-work");
 const times = [];
 const failures = [];
 let files = [];
 let status = 0;
-const start = performance.now();
-await Promise.all(asked.map(runPart));
-times.push(["Together", performance.now() - start]);
+for (const [name, command, ...args] of (asked.length > 0 ? asked : Object.keys(parts)).flatMap(
+  (part) => parts[part],
+)) {
+  const start = performance.now();
+  const env = { ...process.env, TURNLEAF_TEST_SUMMARY: summaryPath };
+  const ended = spawnSync(command, args, { cwd: root, env, stdio: "inherit" });
+  times.push([name, performance.now() - start]);
+  if (ended.status !== 0)
+    failures.push({ name, messages: ended.error ? [ended.error.message] : [] });
+  if (name === "TypeScript") {
+    const summary = testSummary();
+    files = summary.files;
+    for (const project of new Set(files.map((file) => file.project))) {
+      const its = files.filter((file) => file.project === project);
+      const milliseconds = its.reduce((sum, file) => sum + file.milliseconds, 0);
+      times.push([`  ${its.length} files of ${project}`, milliseconds]);
+    }
+    failures.push(...summary.failures);
+    if (writesWork) writeWork(files);
+    const messages = workErrors(files);
+    if (messages.length > 0) failures.push({ name: "Counted work", messages });
+    if (messages.length > 0) status ||= 1;
+  }
+  status ||= ended.status ?? 1;
+}
 rmSync(folder, { recursive: true });
 
 if (files.length > 0) {
@@ -65,55 +84,6 @@ for (const { name, messages } of failures) {
   for (const message of messages) console.log(`    ${message.replaceAll("\n", "\n    ")}`);
 }
 process.exit(status);
-
-/** Runs the commands of a part one after another. */
-async function runPart(part) {
-  // Of parts side by side one speaks as it goes, which a terminal's lines that are written anew need.
-  const isSilent = asked.length > 1 && part !== "js";
-  for (const [name, command, ...args] of parts[part]) {
-    const begun = performance.now();
-    const ended = await end(command, args, isSilent);
-    times.push([name, performance.now() - begun]);
-    status ||= ended.status;
-    if (ended.status !== 0) failures.push({ name, messages: ended.messages });
-    if (name === "TypeScript") readSummary();
-  }
-}
-
-/** Runs a command to its end; a silent one's words are printed then. Resolves with its exit status. */
-function end(command, args, isSilent) {
-  const env = { ...process.env, TURNLEAF_TEST_SUMMARY: summaryPath };
-  const output = isSilent ? "pipe" : "inherit";
-  const running = spawn(command, args, { cwd: root, env, stdio: ["inherit", output, output] });
-  const said = [];
-  for (const stream of [running.stdout, running.stderr]) {
-    stream?.on("data", (bytes) => said.push(bytes));
-  }
-  return new Promise((resolve) => {
-    const finish = (status, messages) => {
-      process.stdout.write(Buffer.concat(said));
-      resolve({ status, messages });
-    };
-    running.once("error", (error) => finish(1, [error.message]));
-    running.once("close", (code) => finish(code ?? 1, []));
-  });
-}
-
-/** Takes what vitest wrote of its files into the times and the failures. */
-function readSummary() {
-  const summary = testSummary();
-  files = summary.files;
-  for (const project of new Set(files.map((file) => file.project))) {
-    const its = files.filter((file) => file.project === project);
-    const milliseconds = its.reduce((sum, file) => sum + file.milliseconds, 0);
-    times.push([`  ${its.length} files of ${project}`, milliseconds]);
-  }
-  failures.push(...summary.failures);
-  if (writesWork) writeWork(files);
-  const messages = workErrors(files);
-  if (messages.length > 0) failures.push({ name: "Counted work", messages });
-  if (messages.length > 0) status ||= 1;
-}
 
 function testSummary() {
   try {

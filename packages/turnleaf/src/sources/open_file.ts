@@ -216,8 +216,8 @@ async function asPart(error: unknown, name: string): Promise<unknown> {
   if (!(error instanceof BookError) || error.code !== "damaged") return error;
   const { joiningOf } = await loadPart(import("./unread_formats.ts"));
   const joining = joiningOf(name);
-  const detail = { code: "damaged", source: name, cause: error } as const;
-  return joining === null ? error : new BookError(`${name} ${joining}`, detail);
+  if (joining === null) return error;
+  return new BookError(`${name} ${joining}`, { code: "damaged", source: name, cause: error });
 }
 
 /**
