@@ -174,6 +174,10 @@ const chapters: Readonly<Record<string, readonly [css: string, body: string]>> =
   ],
   "boxes of millions of pages": ["div { height: 33000000px; }", "<div>a</div>".repeat(50)],
   "fields of millions of lines": ["", '<textarea rows="10000000">a</textarea>'.repeat(20)],
+  "a table of millions of cells": [
+    "",
+    `<table><tr>${'<td colspan="1000" rowspan="60000">a</td>'.repeat(50)}</tr>${"<tr><td>b</td></tr>".repeat(3000)}</table>`,
+  ],
   "columns within columns": [
     "div { columns: 2; }",
     `${"<div>".repeat(30)}<p>${"word ".repeat(300)}</p>${"</div>".repeat(30)}`,

@@ -58,6 +58,9 @@ const mostGenerated = 1_000_000;
 /** Characters that may be added to each element there is. */
 const fewCharacters = mostGenerated / limits.elements;
 
+/** Places for cells in the rows and columns of a table: a browser has each of them. */
+const mostCells = 10_000_000;
+
 /** The greatest number of columns, rows and lines of a grid. */
 const mostTracks = 9999;
 
@@ -186,6 +189,7 @@ class Count {
     if (length > limits.elements) this.#reject(`it has ${length} elements`);
     this.#checkStyle();
     this.#checkMarks();
+    this.#checkTables();
     const pixels = await this.#checkPictures();
     const cost = this.#total();
     const { elements, layers, columns, filterSteps } = cost;
@@ -311,6 +315,20 @@ class Count {
   /** Returns what marks of so many characters come to, one at each element; few are as good as none. */
   #writtenEach(length: number): number {
     return length <= fewCharacters ? 0 : length * this.#elements.length;
+  }
+
+  #checkTables(): void {
+    for (const table of this.#root.querySelectorAll<HTMLTableElement>("table")) {
+      // One that is not of HTML has none.
+      const { rows = [] } = table as Partial<HTMLTableElement>;
+      let columns = 0;
+      for (const { cells } of rows) {
+        let width = 0;
+        for (const { colSpan } of cells) width += colSpan;
+        columns = Math.max(columns, width);
+      }
+      if (columns * rows.length > mostCells) this.#reject("a table of it has too many cells");
+    }
   }
 
   #checkMarks(): void {
