@@ -552,7 +552,7 @@ function longestMark(css: string): number {
   const marks = styles.map(({ additiveSymbols, negative, pad, prefix, suffix, symbols }) =>
     stringsIn([additiveSymbols, negative, pad, prefix, suffix, symbols].join(" ")),
   );
-  return Math.max(...marks, 0);
+  return marks.reduce((longest, length) => Math.max(longest, length), 0);
 }
 
 /** Returns how many characters the strings in a value have. */

@@ -91,11 +91,13 @@ async function readPieces(
         // What lies beside the page counts too, where it goes on for ever.
         if (++read > limits.textLength) return pieces;
         if (item.str === undefined) {
-          if (item.type !== "endMarkedContent") marks.push(markOf(item, layers, pieces.length));
+          const around = marks.at(-1);
+          if (item.type !== "endMarkedContent")
+            marks.push(markOf(item, layers, pieces.length, around));
           else putWords(pieces, marks.pop());
           continue;
         }
-        if (marks.some(({ isHidden }) => isHidden)) continue;
+        if (marks.at(-1)?.isHidden) continue;
         const piece = pieceOf(item, styles[item.fontName], view.transform);
         if (piece && isWithin(piece.run, view)) {
           letters += piece.run.text.length;
@@ -110,8 +112,15 @@ async function readPieces(
   }
 }
 
-function markOf({ layer, actualText }: Item, layers: Layers, from: number): Mark {
-  return { isHidden: layer !== undefined && !layers.isVisible(layer), words: actualText, from };
+/** @param around the mark within which it begins: what that hides is hidden here too */
+function markOf(
+  { layer, actualText }: Item,
+  layers: Layers,
+  from: number,
+  around: Mark | undefined,
+): Mark {
+  const isOff = layer !== undefined && !layers.isVisible(layer);
+  return { isHidden: around?.isHidden === true || isOff, words: actualText, from };
 }
 
 /** Has the pieces of a mark say the words for which they stand. */
